@@ -79,16 +79,19 @@ void drawFrame(DrawPath& path, int frame, int frames, double distance) {
   path.draw();
 }
 
+/// CPU time, of CLOCK_THREAD_CPUTIME_ID or CLOCK_PROCESS_CPUTIME_ID.
+double cpuSeconds(clockid_t of) {
+  timespec now{};
+  clock_gettime(of, &now);
+  return double(now.tv_sec) + double(now.tv_nsec) * 1e-9;
+}
+
 /// The work of an ordinary program: computes, or waits for something, between frames; then draws and swaps.
 void workBetweenFrames(const Options& options) {
   if (options.waitMs > 0)
     std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(options.waitMs));
   if (options.computeMs <= 0) return;
-  timespec now{};
-  const auto cpuMs = [&] {
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return double(now.tv_sec) * 1e3 + double(now.tv_nsec) / 1e6;
-  };
+  const auto cpuMs = [] { return 1e3 * cpuSeconds(CLOCK_THREAD_CPUTIME_ID); };
   for (const double end = cpuMs() + options.computeMs; cpuMs() < end;) {}
 }
 
@@ -159,6 +162,7 @@ void run(Options options) {
   options.frames = framesWithin(*path, window, options);
   options.orbitFrames = framesOfOrbit(options);
   const bool works = options.computeMs >= 0 || options.waitMs >= 0;
+  const double cpuBefore = cpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
   last = Clock::now();
   for (int frame = 1; frame <= options.frames; ++frame) {
     workBetweenFrames(options);
@@ -171,6 +175,7 @@ void run(Options options) {
     m.frameSeconds.push_back(Seconds(now - last).count());
     last = now;
   }
+  m.cpuSeconds = (cpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - cpuBefore) / std::max(options.frames, 1);
   settle(*path, window, options, options.settleSeconds);
   malloc_trim(0);
   const ResidentBytes resident = residentBytes();

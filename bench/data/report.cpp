@@ -57,6 +57,7 @@ std::string jsonLine(const Measurement& m, const ResidentBytes& resident) {
                          {"peak_bytes", resident.highest},
                          {"own_bytes", m.ownBytes}};
   if (!m.allSeconds.empty()) line["all_s"] = m.allSeconds;
+  if (m.cpuSeconds > 0) line["cpu_s"] = m.cpuSeconds;
   return line.dump();
 }
 

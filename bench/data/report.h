@@ -13,6 +13,7 @@ struct Measurement {
   double firstImageSeconds = 0;  // from the first use of the geometry to the first finished frame
   std::vector<double> frameSeconds;
   std::vector<double> allSeconds;  // of all frames from the first on; empty: not told
+  double cpuSeconds = 0;           // of all threads of the process, a frame; 0: not told
   double buildSeconds = 0;         // of an acceleration structure, where the program builds one itself
   size_t ownBytes = 0;  // resident before the geometry was handed over: the program's own, its mesh included
 };
@@ -33,8 +34,8 @@ ResidentBytes residentBytes();
 void forgetHighest();
 
 /// One line of JSON: program, path, renderer, triangles, first_image_s, frame_s (median), frame_low_s and
-/// frame_high_s (quartiles), frames, build_s, rss_bytes, rss_anon_bytes, peak_bytes, own_bytes; all_s where
-/// there are any.
+/// frame_high_s (quartiles), frames, build_s, rss_bytes, rss_anon_bytes, peak_bytes, own_bytes; all_s and
+/// cpu_s where there are any.
 std::string jsonLine(const Measurement& measurement, const ResidentBytes& resident);
 
 }  // namespace gluray::bench

@@ -3,11 +3,12 @@
 Surfaces from buffer objects, by a shader program with three lights and a pattern, an orbit of 1.5 degrees a frame; the plain program, the program with
 cull.draws = always, and with auto take turns, round by round. Medians. Scenes: 12 nested spheres with bumps, 2 of them (most triangles show), and the
 Wavelet's isosurfaces. With --light: ambient occlusion over them (light.rasterised), and over the same surfaces by fixed function, which are traced, each
-with and without it. Results go to bench/results/NAME.json.
+with and without it; CPU time of all threads says what it costs where other work runs beside. Results go to bench/results/NAME.json.
 """
 import itertools
 import pathlib
 import shlex
+import statistics
 
 from support import machine, programs
 from support.display import display
@@ -49,19 +50,23 @@ def lit(options, scene, size, environment):
     """Measurements by shader and by fixed function, each with and without ambient occlusion."""
     gluray = options.build / "apps" / "gluray" / "gluray"
     light = ["--set", "ao=on", "--set", "light.rasterised=on"]
+    full = ["--bvh", "full"]  # no thread builds a better structure meanwhile
 
     def way(path, *extra):
-        return lambda: programs.measure_with_gluray(gluray, ["--threads", str(options.threads), *extra], client_of(options, scene, size, path), environment)
+        return lambda: programs.measure_with_gluray(gluray, ["--threads", str(options.threads), *full, *extra], client_of(options, scene, size, path), environment)
 
     ways = {"shader": way("shader"), "shader_ao": way("shader", *light), "traced": way("vbo"), "traced_ao": way("vbo", *light)}
-    return {name: programs.combined(all_) for name, all_ in programs.in_turn(ways, options.rounds).items()}
+    return {name: programs.combined(all_) | {"cpu_s": statistics.median(one["cpu_s"] for one in all_)}
+            for name, all_ in programs.in_turn(ways, options.rounds).items()}
 
 
 def row_of_light(scene, size, ways):
     row = {"scene": scene, "millions": size, "triangles": ways["shader"]["triangles"]} | {f"{way}_ms": 1000 * m["frame_s"] for way, m in ways.items()}
-    cost = {way: row[f"{way}_ao_ms"] - row[f"{way}_ms"] for way in ("shader", "traced")}
-    return row | {f"{way}_light_ms": ms for way, ms in cost.items()} | {"cost_times_traced": cost["shader"] / cost["traced"],
-                                                                         "lit_draws": (ways["shader_ao"]["report"] or {}).get("lit", {}).get("draws")}
+    row |= {f"{way}_cpu_ms": 1000 * m["cpu_s"] for way, m in ways.items()}
+    for kind, name in (("ms", "cost_times_traced"), ("cpu_ms", "cpu_cost_times_traced")):
+        cost = {way: row[f"{way}_ao_{kind}"] - row[f"{way}_{kind}"] for way in ("shader", "traced")}
+        row |= {f"{way}_light_{kind}": ms for way, ms in cost.items()} | {name: cost["shader"] / cost["traced"]}
+    return row | {"lit_draws": (ways["shader_ao"]["report"] or {}).get("lit", {}).get("draws")}
 
 
 def measured(options, scene, size, environment):
@@ -96,7 +101,8 @@ def run(options, argv):
                 row = row_of_light(scene, size, lit(options, scene, size, {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)}))
                 result["rows"].append(row)
                 print(f"{scene:8} {size:5g}M  light over shaders {row['shader_light_ms']:8.1f} ms, over traced surfaces {row['traced_light_ms']:8.1f} ms "
-                      f"({row['cost_times_traced']:.2f}x)", flush=True)
+                      f"({row['cost_times_traced']:.2f}x); CPU time {row['shader_light_cpu_ms']:.1f} and {row['traced_light_cpu_ms']:.1f} ms "
+                      f"({row['cpu_cost_times_traced']:.2f}x)", flush=True)
                 continue
             row = row_of(scene, size, measured(options, scene, size, {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)}))
             result["rows"].append(row)

@@ -4,6 +4,7 @@
 #include "base/log.h"
 #include "base/timeline.h"
 #include "render/effects/make_integrator.h"
+#include "render/ground/catcher.h"
 #include "render/integrators/direct_look.h"
 #include "render/kernels/kernels.h"
 #include "render/moving/collector.h"
@@ -105,13 +106,14 @@ bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays,
   const Collector collector(frame, moving, *visibility, metric);
   frame.moving = &moving, frame.direct = direct.get();
   frame.integrator = visibility, frame.collector = &collector, frame.hits = moving.hits;
+  if (!source) frame.caughtOcclusion = caughtOcclusionOf(frame, *visibility);
   bool whole = true;
   if (source)
     whole = traceShared({frame, moving, collector}, *source);
   else
     traceAll({frame, moving, collector});
   frame.moving = nullptr, frame.integrator = nullptr, frame.direct = nullptr;
-  frame.collector = nullptr, frame.hits = nullptr;
+  frame.collector = nullptr, frame.hits = nullptr, frame.caughtOcclusion.reset();
   if (whole)
     history.finish();
   else

@@ -43,8 +43,8 @@ struct PresentedImages {
   SampleDepths samples;
 
  private:
-  std::optional<Features> features_;                      // of the context
-  std::array<std::unique_ptr<WriteBack>, 3> writeBacks_;  // by WriteBack::Colors
+  std::optional<Features> features_;                                      // of the context
+  std::array<std::unique_ptr<WriteBack>, WriteBack::kKinds> writeBacks_;  // by WriteBack::Colors
 };
 
 }  // namespace gluray::present

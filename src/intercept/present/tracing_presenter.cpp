@@ -124,18 +124,32 @@ TracingPresenter::Way TracingPresenter::write(const gl::RealGl& real,
       into.depths = snapshot.layers->blending.writesDepth;
     }
     const bool hides = snapshot.catches && snapshot.secondaryScene && snapshot.secondaryScene->framebuffer;
-    if (hides) {
-      findSeenCatchers(cached.image, snapshot, snapshot.secondaryScene->framebuffer->depths, seen_);
-      into.imageId = 0;
-    }
-    const Image& image = hides ? seen_ : cached.image;
-    const bool drawn = shared_.writeBack(real, WriteBack::colorsOf(image)).write(image, into, more);
+    const bool drawn =
+        hides ? writeSeen(real, cached.image, snapshot, into, more)
+              : shared_.writeBack(real, WriteBack::colorsOf(cached.image)).write(cached.image, into, more);
     pending.insert(pending.end(), more.begin(), more.end());
     return drawn ? Way::drawn : Way::none;
   } catch (const std::exception& e) {  // nothing was drawn yet, and the guard restores the state
     why = e.what();
     return Way::none;
   }
+}
+
+/// Blends light fractions over the pixels whose depths are known to be theirs.
+bool TracingPresenter::writeSeen(const gl::RealGl& real, const Image& image, const scene::Snapshot& snapshot,
+                                 WriteBackTarget into, PendingErrors& pending) {
+  const std::vector<float>& depths = snapshot.secondaryScene->framebuffer->depths;
+  into.imageId = 0;
+  if (image.has(Plane::color) && image.samples == 1 && into.depthFunc == GL_LEQUAL) {
+    findTakenLight(image, snapshot, depths, taken_);
+    WriteBack& blend = shared_.writeBack(real, WriteBack::Colors::taken);
+    if (blend.writeTaken(taken_, into, pending)) return true;
+  }
+  PendingErrors more;
+  findSeenCatchers(image, snapshot, depths, seen_);
+  const bool drawn = shared_.writeBack(real, WriteBack::colorsOf(seen_)).write(seen_, into, more);
+  pending.insert(pending.end(), more.begin(), more.end());
+  return drawn;
 }
 
 bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target,

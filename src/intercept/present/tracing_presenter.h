@@ -60,6 +60,8 @@ class TracingPresenter final : public gl::Presenter {
   Way write(const gl::RealGl& real, const frame::ImageCache::CachedImage& cached,
             const scene::Snapshot& snapshot, const gl::PresentTarget& target, PendingErrors& pending,
             std::string& why) noexcept;
+  bool writeSeen(const gl::RealGl& real, const Image& image, const scene::Snapshot& snapshot,
+                 WriteBackTarget into, PendingErrors& pending);
   gl::PresentResult relit(const gl::RealGl& real, const scene::SnapshotPtr& before,
                           const scene::SnapshotPtr& now, const gl::RelightTarget& target);
   bool readShown(const gl::RealGl& real, const Image& written, bool layers, scene::ShownPixels& shown);
@@ -81,8 +83,10 @@ class TracingPresenter final : public gl::Presenter {
   };
   Pixels pixels_;  // the last ones: a program may resolve colours and depths separately
   std::vector<uint32_t> before_, after_;  // of anti-aliasing; reused memory
-  // Of catchers: the framebuffer's depths, and the image without hidden pixels. Reused memory.
+  // Of catchers: the framebuffer's depths; what they take from visible pixels, as opacities, or as the image
+  // without hidden pixels. Reused memory.
   ReusedCaptures depths_;
+  TakenLight taken_;
   Image seen_;
   Image replaced_;  // of relight(); reused memory
 };

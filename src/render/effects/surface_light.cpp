@@ -80,6 +80,11 @@ std::vector<float> SurfaceLight::meaning() const {
   return numbers;
 }
 
+std::optional<float> SurfaceLight::occlusionAlone() const noexcept {
+  if (!occlusion_ || shadows_ || dome_ || hasAreas_ || occlusion_->interreflects) return {};
+  return occlusion_->strength;
+}
+
 void SurfaceLight::apply(const ColoredHits& hits, const Visibility& visibility,
                          ColorRows& rows) const noexcept {
   const ColorRows* direct = hits.direct;

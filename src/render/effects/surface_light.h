@@ -21,6 +21,7 @@ class SurfaceLight final : public VisibilityIntegrator {
   bool replaces(uint32_t instance, uint32_t lanes, const Visibility&) const noexcept override;
   void apply(const ColoredHits&, const Visibility&, ColorRows&) const noexcept override;
   std::vector<float> meaning() const override;
+  std::optional<float> occlusionAlone() const noexcept override;
 
  private:
   bool isDomed(const ShadowLights::Rows& used) const { return dome_ && used.up != glm::vec3(0); }

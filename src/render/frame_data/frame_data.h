@@ -82,6 +82,9 @@ struct FrameData {
   // their visibility, and relightTile() colours them.
   HitBuffer* hits = nullptr;
   const Integrator* collector = nullptr;
+  // Of moving frames whose surfaces all catch light and lose nothing but occlusion: the opacity of a hit is
+  // this times 1 - Visibility::occlusion, so that hits are not stored but their depths. None: shades hits.
+  std::optional<float> caughtOcclusion;
   const MovingFrame* moving = nullptr;   // null: light uses all samples of the settings
   std::optional<HonestLook> honest;      // none: the local look is the program's
   std::optional<BackdropLook> backdrop;  // of averages: what misses show; none: the framebuffer's content

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -41,10 +42,15 @@ class AllCaught final : public VisibilityIntegrator {
   bool replaces(uint32_t, uint32_t, const Visibility&) const noexcept override { return false; }
   void apply(const ColoredHits&, const Visibility&, ColorRows&) const noexcept override;
   std::vector<float> meaning() const override { return light_->meaning(); }
+  std::optional<float> occlusionAlone() const noexcept override { return light_->occlusionAlone(); }
 
  private:
   std::unique_ptr<const VisibilityIntegrator> light_;
 };
+
+/// FrameData::caughtOcclusion of a moving frame with this integrator: none if any of the surfaces has a look
+/// that differs from point to point, as with lights of its own.
+std::optional<float> caughtOcclusionOf(const FrameData&, const VisibilityIntegrator&);
 
 /// Treats all surfaces as catchers without missing light.
 class NothingCaught final : public Integrator {

@@ -5,6 +5,7 @@
 #include "render/integrators/surface_points.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace gluray::render {
@@ -41,6 +42,9 @@ class VisibilityIntegrator : public Integrator {
   virtual bool replaces(uint32_t instance, uint32_t lanes, const Visibility&) const noexcept = 0;
   /// Applies visibility to colours of the local look.
   virtual void apply(const ColoredHits&, const Visibility&, ColorRows&) const noexcept = 0;
+  /// The strength of occlusion, if apply() only multiplies the colours of each surface whose look is
+  /// constant by 1 - strength * (1 - Visibility::occlusion).
+  virtual std::optional<float> occlusionAlone() const noexcept { return {}; }
   /// World-space positions and directions of lights, and what tells volumes apart. Earlier visibility is
   /// reusable while these numbers stay equal, up to rounding.
   virtual std::vector<float> meaning() const { return {}; }

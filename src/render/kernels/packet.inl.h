@@ -21,7 +21,8 @@ namespace HWY_NAMESPACE {
 template <class Sums>
 HWY_ATTR void finishWork(const FrameData& frame, const Tile& tile, const GrownSamples& grown, Work& work,
                          CollectedHits& behind, Sums* averages) {
-  if (frame.hits) forgetHits(*frame.hits, work);
+  const bool keeps = frame.hits && !frame.caughtOcclusion;
+  if (keeps) forgetHits(*frame.hits, work);
   clearPixels(averages ? 0 : frame.image->missColor, work);
   if (frame.grown && !work.lens) pickEdged(frame, grown, work);
   if (frame.leastDepth && !work.lens) pickLeastDepth(frame, centersOf(work), behind, work);
@@ -32,7 +33,7 @@ HWY_ATTR void finishWork(const FrameData& frame, const Tile& tile, const GrownSa
   if (frame.lamps && !frame.hits && !frame.features) showLamps(frame, work);
   if (averages)
     averages->add(frame, tile, work);
-  else if (!frame.hits)
+  else if (!keeps)
     storePixels(work, tile, *frame.image);
 }
 

@@ -33,9 +33,39 @@ HWY_ATTR inline void relightWork(const FrameData& frame, const Tile& tile, const
   storePixels(work, tile, *frame.image);
 }
 
+/// Opacities of a packet's hits that take only occlusion from the framebuffer, as colours: black.
+HWY_ATTR inline void packOcclusion(const Row& open, float strength, uint32_t (&color)[kLanes]) {
+  const IndexTag d;
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Float taken = clamp01(hn::Mul(splat(strength), hn::Sub(splat(1), load(open + i))));
+    const auto alpha = hn::BitCast(d, hn::NearestInt(hn::Mul(taken, splat(255))));
+    hn::Store(hn::ShiftLeft<24>(alpha), d, color + i);
+  }
+}
+
+/// Last stage of such hits. The image has their depths.
+HWY_ATTR inline void showOcclusion(const Tile& tile, const TileVisibility& visibility, float strength,
+                                   Image& image) {
+  const auto width = static_cast<size_t>(image.width);
+  alignas(64) uint32_t color[kLanes];
+  for (int y = tile.y0; y < tile.y1; y += 4) {
+    for (int x = tile.x0; x < tile.x1; x += 4) {
+      packOcclusion(visibility.at(x - tile.x0, y - tile.y0).occlusion, strength, color);
+      const size_t first = static_cast<size_t>(y) * width + static_cast<size_t>(x);
+      const int columns = std::min(4, tile.x1 - x), rows = std::min(4, tile.y1 - y);
+      for (int i = 0; i < kLanes; ++i) {
+        if (laneX(i) >= columns || laneY(i) >= rows) continue;
+        const size_t at = first + static_cast<size_t>(laneY(i)) * width + static_cast<size_t>(laneX(i));
+        image.color[at] = image.depth[at] != Image::kMiss ? color[i] : image.missColor;
+      }
+    }
+  }
+}
+
 /// Pipelined as the first pass is, but no rays are traced meanwhile: the stages are several packets apart,
 /// because memory takes longer than colours.
 HWY_ATTR void relightTile(const FrameData& frame, const Tile& tile, const TileVisibility& visibility) {
+  if (frame.caughtOcclusion) return showOcclusion(tile, visibility, *frame.caughtOcclusion, *frame.image);
   constexpr int kApart = 2;  // packets
   const HitBuffer& buffer = *frame.moving->hits;
   const int columns = (tile.x1 - tile.x0 + 3) / 4, count = columns * ((tile.y1 - tile.y0 + 3) / 4);

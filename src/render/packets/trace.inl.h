@@ -132,7 +132,8 @@ HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFi
 HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
   const bool wide = !frame.bytes;
   const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
-    if (frame.hits) return keepHits(*frame.hits, lanes, work);
+    if (frame.hits)
+      return frame.caughtOcclusion ? mergeDepths(lanes, depth, work) : keepHits(*frame.hits, lanes, work);
     mergeShown(lanes, rows, depth, wide, work);
   };
   uint32_t lanes = shadeHits(frame, work.hits, true, work, take);

@@ -157,6 +157,12 @@ HWY_ATTR inline void merge(uint32_t lanes, const LitRows& rows, const float* dep
   }
 }
 
+// Writes the depths of `lanes` alone.
+HWY_ATTR inline void mergeDepths(uint32_t lanes, const float* depth, Work& work) {
+  blendRow(lanes & ~work.edged, depth, work.depth);
+  if (lanes & work.edged) blendRow(lanes & work.edged, work.edgeDepth, work.depth);
+}
+
 // The same for hits of which some are on triangles grown by their edges.
 HWY_ATTR inline void mergeShown(uint32_t lanes, const LitRows& rows, const float* depth, bool wide,
                                 Work& work) {

@@ -2,6 +2,7 @@
 // Any thread.
 #pragma once
 #include "base/image.h"
+#include "intercept/present/write_back/taken_light.h"
 #include "scene/snapshot.h"
 
 #include <vector>
@@ -14,5 +15,10 @@ namespace gluray::present {
 /// by the snapshot's polygon offset. Throws std::bad_alloc; reuses the memory of `seen`.
 void findSeenCatchers(const Image& image, const scene::Snapshot& snapshot, const std::vector<float>& depths,
                       Image& seen);
+
+/// The same for images whose colours are bytes: the opacities of the seen pixels that also pass the depth
+/// test GL_LEQUAL against `depths`. Throws std::bad_alloc; reuses the memory of `taken`.
+void findTakenLight(const Image& image, const scene::Snapshot& snapshot, const std::vector<float>& depths,
+                    TakenLight& taken);
 
 }  // namespace gluray::present

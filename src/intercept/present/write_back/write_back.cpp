@@ -14,6 +14,11 @@ namespace {
 
 constexpr scene::ColorWrites kNoColors{false, false, false, false};
 
+WriteBackSource sourceOf(WriteBack::Colors colors) {
+  if (colors == WriteBack::Colors::taken) return WriteBackSource::taken;
+  return colors == WriteBack::Colors::sums ? WriteBackSource::sums : WriteBackSource::colors;
+}
+
 }  // namespace
 
 bool WriteBack::ready(std::string& why) {
@@ -41,7 +46,7 @@ bool WriteBack::compile(std::string& why) {
 }
 
 bool WriteBack::compile(Program& program, std::string& why) const {
-  program.name = buildWriteBackProgram(real_, features_, colors_ == Colors::sums, why);
+  program.name = buildWriteBackProgram(real_, features_, sourceOf(colors_), why);
   if (!program.name) return false;
   StateGuard guard(real_, features_);
   guard.program(program.name);
@@ -113,10 +118,9 @@ void WriteBack::upload(const Image& image, const Sheet& sheet, Part part) const 
   }
 }
 
-void WriteBack::draw(const Image& image, const Sheet& sheet) const {
-  real_.Uniform4f(programs_[0].place, static_cast<GLfloat>(image.x),
-                  static_cast<GLfloat>(image.y - sheet.row), 1.0f / static_cast<GLfloat>(color_.size.x),
-                  1.0f / static_cast<GLfloat>(color_.size.y));
+void WriteBack::draw(glm::ivec2 at, int width, int height, const Sheet& sheet) const {
+  real_.Uniform4f(programs_[0].place, static_cast<GLfloat>(at.x), static_cast<GLfloat>(at.y - sheet.row),
+                  1.0f / static_cast<GLfloat>(color_.size.x), 1.0f / static_cast<GLfloat>(color_.size.y));
   GLfloat corners[frame::kMaxBands][4];  // left, lower, right, upper in clip space
   const auto clip = [](int at, int size) {
     return 2.0f * static_cast<float>(at) / static_cast<float>(size) - 1.0f;
@@ -124,8 +128,8 @@ void WriteBack::draw(const Image& image, const Sheet& sheet) const {
   int count = 0;
   for (const frame::Band& b : sheet.bands) {
     GLfloat* c = corners[count++];
-    c[0] = clip(b.x, image.width), c[1] = clip(b.y, image.height);
-    c[2] = clip(b.x + b.width, image.width), c[3] = clip(b.y + b.height, image.height);
+    c[0] = clip(b.x, width), c[1] = clip(b.y, height);
+    c[2] = clip(b.x + b.width, width), c[3] = clip(b.y + b.height, height);
   }
   if (!features_.compatibility) {
     real_.Uniform4fv(programs_[0].bands, count, corners[0]);
@@ -216,6 +220,12 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   return true;
 }
 
+void WriteBack::useProgram(StateGuard& guard) {
+  std::swap(programs_[0], programs_[1]);
+  guard.program(programs_[0].name);
+  if (!features_.compatibility) guard.vertexArray(vertexArray_);
+}
+
 bool WriteBack::writeInto(StateGuard& guard, const Image& image, const WriteBackTarget& target, int planes) {
   const int width = image.width, height = image.height, unit = features_.textureUnit;
   guard.plainUnpack(width);
@@ -228,10 +238,7 @@ bool WriteBack::writeInto(StateGuard& guard, const Image& image, const WriteBack
   openFor(guard, target);
   guard.viewport(image.x, image.y, width, height);
   guard.scissor(image.x, image.y, width, height);
-  std::swap(programs_[0], programs_[1]);
-  guard.program(programs_[0].name);
-  if (!features_.compatibility) guard.vertexArray(vertexArray_);
-
+  useProgram(guard);
   if ((image.isAverages() || target.keepsDepth) && colors_ != Colors::sums) {
     writeAverages(guard, image, sheets_.front(), target);
     return true;

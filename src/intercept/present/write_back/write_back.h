@@ -6,10 +6,12 @@
 #include "frame/pixels/hit_bands.h"
 #include "gl/batch/presenter.h"
 #include "intercept/present/state/state_guard.h"
+#include "intercept/present/write_back/taken_light.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -31,13 +33,14 @@ struct WriteBackTarget {
 class WriteBack {
  public:
   /// Kinds of colour planes of images.
-  enum class Colors : uint8_t { bytes, floats, sums };
+  enum class Colors : uint8_t { bytes, floats, sums, taken };
+  static constexpr size_t kKinds = 4;
   static Colors colorsOf(const Image& image) {
     if (image.has(Plane::transmittance)) return Colors::sums;
     return image.has(Plane::wideColor) ? Colors::floats : Colors::bytes;
   }
 
-  /// Writes only images with such colours.
+  /// Writes only images with such colours; Colors::taken: TakenLight.
   explicit WriteBack(const gl::RealGl& real, Colors colors = Colors::bytes) : real_(real), colors_(colors) {}
 
   /// Compiles the program on first use. False, with the reason, if the context cannot; the result never
@@ -52,6 +55,10 @@ class WriteBack {
   /// the second's red. Restores all queryable state; moves pending errors to `pending`. False, with nothing
   /// drawn or an image to be drawn again, if the real OpenGL refuses.
   bool write(const Image& image, const WriteBackTarget& target, PendingErrors& pending);
+
+  /// Blends black with these opacities over the framebuffer, in all draw buffers, without a depth test.
+  /// Restores state and returns as write() does. Of Colors::taken alone.
+  bool writeTaken(const TakenLight& taken, const WriteBackTarget& target, PendingErrors& pending);
 
   /// Releases ownership of our names in the share group, and returns them.
   gl::SharedNames takeNames();
@@ -79,7 +86,13 @@ class WriteBack {
   void openFor(StateGuard& guard, const WriteBackTarget& target) const;
   void writeAverages(StateGuard& guard, const Image& image, const Sheet& sheet,
                      const WriteBackTarget& target) const;
-  void draw(const Image& image, const Sheet& sheet) const;
+  /// `width` x `height`: of the image, whose lower left pixel is at `at` in the window.
+  void draw(glm::ivec2 at, int width, int height, const Sheet& sheet) const;
+  void draw(const Image& image, const Sheet& sheet) const {
+    draw({image.x, image.y}, image.width, image.height, sheet);
+  }
+  bool uploadTaken(StateGuard& guard, const TakenLight& taken);
+  void useProgram(StateGuard& guard);
 
   const gl::RealGl& real_;
   const Colors colors_;

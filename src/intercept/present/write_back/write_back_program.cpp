@@ -1,6 +1,7 @@
 #include "intercept/present/write_back/write_back_program.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace gluray::present {
 namespace {
@@ -70,6 +71,33 @@ void main() {
 }
 )";
 
+constexpr const char* kOldTaken = R"(#version 110
+uniform sampler2D colorPlane;
+uniform vec4 place;
+void main() {
+  float opacity = texture2D(colorPlane, (gl_FragCoord.xy - place.xy) * place.zw).a;
+  if (opacity == 0.0) discard;
+  gl_FragColor = vec4(0.0, 0.0, 0.0, opacity);
+}
+)";
+
+constexpr const char* kCoreTaken = R"(
+uniform sampler2D colorPlane;
+uniform vec4 place;
+out vec4 color[8];
+void main() {
+  float opacity = texture(colorPlane, (gl_FragCoord.xy - place.xy) * place.zw).r;
+  if (opacity == 0.0) discard;
+  vec4 c = vec4(0.0, 0.0, 0.0, opacity);
+  color[0] = c; color[1] = c; color[2] = c; color[3] = c;
+  color[4] = c; color[5] = c; color[6] = c; color[7] = c;
+}
+)";
+
+/// Fragment shaders by WriteBackSource: for compatibility contexts and, without the version, for core ones.
+constexpr const char* kOld[] = {kOldFragment, kOldSums, kOldTaken};
+constexpr const char* kCore[] = {kCoreFragment, kCoreSums, kCoreTaken};
+
 std::string firstLine(std::string text) {
   text.resize(std::min(text.find('\0'), text.size()));
   text.resize(std::min(text.find('\n'), text.size()));
@@ -93,12 +121,14 @@ GLuint compileShader(const gl::RealGl& real, GLenum kind, const std::string& sou
 
 }  // namespace
 
-GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, bool sums, std::string& why) {
-  std::string vertex = kOldVertex, fragment = sums ? kOldSums : kOldFragment;
+GLuint buildWriteBackProgram(const gl::RealGl& real, const Features& features, WriteBackSource source,
+                             std::string& why) {
+  const auto of = static_cast<size_t>(source);
+  std::string vertex = kOldVertex, fragment = kOld[of];
   if (!features.compatibility) {
     const std::string version = "#version " + std::to_string(std::min(features.glslVersion, 150)) + "\n";
     vertex = version + kCoreVertex;
-    fragment = version + (sums ? kCoreSums : kCoreFragment);
+    fragment = version + kCore[of];
   }
   const GLuint vertexShader = compileShader(real, GL_VERTEX_SHADER, vertex, why);
   if (!vertexShader) return 0;
