@@ -8,7 +8,7 @@ import numpy as np
 import vtk
 from looks.scenes import add, bright, mapped, streamlines, wavelet
 from shapes import ATOMS, field_lines, height_field, pair_atoms, polylines, turned
-from vtk.util.numpy_support import numpy_to_vtk
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 HEAD = "/usr/share/mricron/templates/ch2better.nii.gz"
 
@@ -100,6 +100,13 @@ def helix(renderer):
     return (1, -0.25, 0.1), (0.2, 1, 0.9), 1.27
 
 
+def helix_along(renderer):
+    """The double helix from near its end: the rest of it lies farther and farther away."""
+    helix(renderer)
+    renderer.GetActiveCamera().SetViewAngle(50)
+    return (0.7, -0.2, 1), (0.2, 1, 0.2), 1.75
+
+
 def helix_detail(renderer):
     """A part of the double helix."""
     towards, up, _ = helix(renderer)
@@ -143,7 +150,7 @@ def bearing(renderer):
         ball.SetCenter(middle * math.cos(math.pi * i / 6), middle * math.sin(math.pi * i / 6), 0), ball.SetRadius(0.48)
         ball.SetThetaResolution(120), ball.SetPhiResolution(80)
         add(renderer, mapped(ball), steel, Specular=0.5, SpecularPower=60)
-    return (0.3, -0.9, 0.85), (0, 0, 1), 1.3
+    return (0.5, -0.8, 1.1), (0, 0, 1), 1.45
 
 
 def plate(radius=3.4, count=420):
@@ -159,12 +166,16 @@ def plate(radius=3.4, count=420):
 
 
 def impact(renderer):
-    """A ball that has hit a plate, and the fragments that fly off: in the manner of the paper's Figure 5."""
+    """A ball that has hit a plate, in the colours of its height, and the fragments that fly off: in the manner of the paper's Figure 5."""
     generator = np.random.default_rng(3)
     ball = vtk.vtkSphereSource()
     ball.SetRadius(0.62), ball.SetCenter(0, 0, 0.3), ball.SetThetaResolution(180), ball.SetPhiResolution(120)
-    add(renderer, mapped(plate()), (0.66, 0.68, 0.72))
-    add(renderer, mapped(ball), (0.78, 0.79, 0.82))
+    data, table = plate(), vtk.vtkColorTransferFunction()
+    for height, color in ((-0.85, (0.16, 0.32, 0.52)), (0, (0.91, 0.90, 0.86)), (0.6, (0.86, 0.56, 0.34))):
+        table.AddRGBPoint(height, *color)
+    data.GetPointData().SetScalars(numpy_to_vtk(vtk_to_numpy(data.GetPoints().GetData())[:, 2].copy(), deep=True))
+    add(renderer, mapped(data, (-0.85, 0.6), table))
+    add(renderer, mapped(ball), (0.85, 0.86, 0.88))
     fragments = vtk.vtkAppendPolyData()
     for _ in range(220):
         angle, speed, lift = generator.uniform(0, 2 * np.pi), generator.uniform(0.9, 2.9), generator.uniform(0.15, 0.75)
@@ -173,8 +184,8 @@ def impact(renderer):
         rock.SetCenter(speed * np.cos(angle), speed * np.sin(angle), 0.25 + lift * speed * 0.75)
         rock.SetThetaResolution(36), rock.SetPhiResolution(24)
         fragments.AddInputConnection(rock.GetOutputPort())
-    add(renderer, mapped(fragments), (0.85, 0.52, 0.28))
-    return (0.35, -1.0, 0.75), (0, 0, 1), 1.2
+    add(renderer, mapped(fragments), (0.80, 0.40, 0.20))
+    return (0.35, -1.0, 1.0), (0, 0, 1), 1.1
 
 
 def impact_side_lit(renderer):
@@ -229,4 +240,4 @@ def orbital(renderer):
     return (0.5, -1.0, 0.6), (0, 0, 1), 1.3
 
 
-SCENES = {f.__name__: f for f in (orbital, head, head_from_afar, bars, bars_detail, cut, star, helix, helix_detail, streamlines, mountains, bearing, impact, impact_side_lit, balls)}
+SCENES = {f.__name__: f for f in (orbital, head, head_from_afar, bars, bars_detail, cut, star, helix, helix_along, helix_detail, streamlines, mountains, bearing, impact, impact_side_lit, balls)}

@@ -1,6 +1,6 @@
 """The program whose pictures looks change: draws scenes of scenes.py into FOLDER/SCENE.png.
 
-With --values also FOLDER/SCENE.values.png, surfaces without light in greys of their scalars (black: none), and SCENE.depth.npy.
+With --values also FOLDER/SCENE.colors.png, surfaces without light; SCENE.values.png, the same in greys of their scalars (black: none); and SCENE.depth.npy.
 Run by a Python with VTK (python3-vtk9 or python3-paraview).
 """
 import pathlib
@@ -18,6 +18,7 @@ def arguments():
     parser.add_argument("size", help="of the pictures, such as 800x600")
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help="names in scenes.py (all)")
     parser.add_argument("--values", action="store_true", help="draws the scalars and the depths, too")
+    parser.add_argument("--samples", type=int, default=0, help="of multisampling (0: none)")
     return parser.parse_args()
 
 
@@ -56,39 +57,49 @@ def greys():
     return table
 
 
-def show_values(renderer):
-    """Surfaces in greys of their scalars, without light."""
-    renderer.SetBackground(0, 0, 0)
+def show_colors(renderer):
+    """Surfaces alone, without light."""
+    for actor in list(renderer.GetActors2D()):
+        renderer.RemoveActor2D(actor)
     for actor in renderer.GetActors():
         actor.GetProperty().LightingOff()
+
+
+def show_values(renderer):
+    """Surfaces in greys of their scalars."""
+    renderer.SetBackground(0, 0, 0)
+    for actor in renderer.GetActors():
         if actor.GetMapper().GetScalarVisibility():
             actor.GetMapper().SetLookupTable(greys())
         else:
             actor.GetProperty().SetColor(0, 0, 0)
 
 
-def draw(name, folder, size, values):
+def save(window, path):
+    Image.fromarray(np.ascontiguousarray(pixels(window))).save(path)
+
+
+def draw(name, folder, size, values, samples):
     renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(True), window.SetMultiSamples(0), window.SetSize(*size)
+    window.SetOffScreenRendering(True), window.SetMultiSamples(samples), window.SetSize(*size)
     renderer.SetBackground(0.32, 0.34, 0.43)
     window.AddRenderer(renderer)
     towards = SCENES[name](renderer)
     place(renderer, *towards)
     window.Render()
-    Image.fromarray(np.ascontiguousarray(pixels(window))).save(folder / f"{name}.png")
+    save(window, folder / f"{name}.png")
     if values:
         np.save(folder / f"{name}.depth.npy", pixels(window, depth=True)[..., 0])
-        for actor in list(renderer.GetActors2D()):
-            renderer.RemoveActor2D(actor)
-        show_values(renderer)
-        window.Render()
-        Image.fromarray(np.ascontiguousarray(pixels(window))).save(folder / f"{name}.values.png")
+        for show, kind in ((show_colors, "colors"), (show_values, "values")):
+            show(renderer)
+            window.Render()
+            save(window, folder / f"{name}.{kind}.png")
 
 
 def main(options):
     options.folder.mkdir(parents=True, exist_ok=True)
     for name in options.scenes or SCENES:
-        draw(name, options.folder, [int(n) for n in options.size.split("x")], options.values)
+        draw(name, options.folder, [int(n) for n in options.size.split("x")], options.values, options.samples)
         print(name, flush=True)
 
 

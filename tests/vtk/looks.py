@@ -2,7 +2,7 @@
 
     looks.py --gluray GLURAY --out FOLDER LOOK...
 
-Needs an X server of its own (tests/doors/with_display.py). The figures and their limits are those of bench/looks/measure.py. The pictures stay in FOLDER/looks.
+Needs an X server of its own (tests/doors/with_display.py). The figures are those of bench/looks/measure.py, their limits those of bench/looks/rules.py. The pictures stay in FOLDER/looks-LOOK of the first look.
 Exit code 77: VTK, numpy or Pillow is not installed.
 """
 import pathlib
@@ -17,6 +17,7 @@ from command_line import Parser  # noqa: E402
 try:
     import vtkmodules  # noqa: F401
     from measure import figures_of
+    from rules import LIMITS, PURPOSE, SMOOTH, misses
     from scenes import SCENES
 except ImportError as missing:
     print(f"skipped: {missing} ({sys.executable})")
@@ -25,18 +26,24 @@ except ImportError as missing:
 SIZE = "320x240"
 
 
-def draw(folder, *before, values=False):
-    command = [*before, "/usr/bin/python3", "-B", str(ROOT / "bench" / "looks" / "draw.py"), str(folder), SIZE, *(["--values"] if values else [])]
+def scenes_of(look):
+    """Looks that are made for some scenes are tested on these."""
+    return PURPOSE.get(look, list(SCENES))
+
+
+def draw(folder, *before, values=False, samples=0, scenes=()):
+    program = [str(ROOT / "bench" / "looks" / "draw.py"), *(["--values"] if values else []), "--samples", str(samples), str(folder), SIZE, *scenes]
+    command = [*before, "/usr/bin/python3", "-B", *program]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=550)
     if done.returncode:
         sys.exit(f"exit code {done.returncode}: {' '.join(command)}\n{done.stderr}")
 
 
 def faults(out, look):
-    for scene in SCENES:
-        figures = figures_of(out / "own", out / look, scene)
-        for name in figures.misses():
-            yield f"{look}, {scene}: {name} is {getattr(figures, name):.3f}, beyond {figures.LIMITS[name]}"
+    for scene in scenes_of(look):
+        figures = vars(figures_of(out / ("smooth" if look in SMOOTH else "own"), out / look, scene, out / "own"))
+        for name in misses(look, scene, figures):
+            yield f"{look}, {scene}: {name} is {figures[name]:.3f}, beyond {LIMITS[name]}"
 
 
 def main():
@@ -45,13 +52,15 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("looks", nargs="+")
     options = parser.parse_args()
-    out = options.out / "looks"
+    out = options.out / f"looks-{options.looks[0]}"
     draw(out / "own", values=True)
+    if any(look in SMOOTH for look in options.looks):
+        draw(out / "smooth", values=True, samples=8)
     found = []
     for look in options.looks:
-        draw(out / look, options.gluray, "--preset", look, "--")
+        draw(out / look, options.gluray, "--preset", look, "--", scenes=scenes_of(look))
         found += faults(out, look)
-    print("\n".join(found) if found else f"{len(options.looks) * len(SCENES)} pictures within all limits")
+    print("\n".join(found) if found else f"{sum(len(scenes_of(look)) for look in options.looks)} pictures within all limits")
     return 1 if found else 0
 
 

@@ -238,5 +238,42 @@ TEST(Environment, AGradientHasItsThreeColours) {
   EXPECT_EQ(environment->radiance({0, -1, 0}), glm::vec3(1, 0, 0));
 }
 
+TEST(Environment, AStudioTurnsWithTheCameraAndIsOnAverageAsBrightAsAConstantOne) {
+  Settings s;
+  s.environment.kind = EnvironmentKind::studio;
+  s.environment.strength = 1;
+  const glm::dmat4 turned(glm::dvec4(0, 3, 0, 0), glm::dvec4(0, 0, 5, 0), glm::dvec4(7, 0, 0, 0),
+                          glm::dvec4(1, 2, 3, 1));
+  const auto environment = makeEnvironment(s, glm::dmat4(1)), elsewhere = makeEnvironment(s, turned);
+  constexpr uint32_t kDirections = 1 << 16;
+  double sum = 0;
+  for (uint32_t i = 0; i < kDirections; ++i) {
+    const glm::vec3 d = directionOf(pointOf(i)), light = environment->radiance(d);
+    ASSERT_EQ(light, elsewhere->radiance(d)) << "the studio must not turn with the scene";
+    sum += double{light.x};
+  }
+  EXPECT_NEAR(sum / kDirections, 1, 0.01);
+  EXPECT_TRUE(environment->isSampled());
+}
+
+TEST(Environment, AStudioHasBrightBoxesBetweenDarkWallsAndTurnsByItsRotation) {
+  Settings s;
+  s.environment.kind = EnvironmentKind::studio;
+  s.environment.strength = 1;
+  const auto from = [&](float azimuth, float elevation) {
+    const float a = glm::radians(azimuth), e = glm::radians(elevation);
+    return makeEnvironment(s, glm::dmat4(1))
+        ->radiance({std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)})
+        .x;
+  };
+  EXPECT_GT(from(-68, 12), 3 * from(0, -30)) << "left of the viewer, and below";
+  EXPECT_GT(from(-20, 62), 3 * from(0, 0)) << "above, and behind the camera";
+  EXPECT_GT(from(62, 8), 2 * from(100, 0));
+  const float left = from(-68, 12);
+  s.environment.rotation = 90;
+  EXPECT_FLOAT_EQ(std::max(from(-68 + 90, 12), from(-68 - 90, 12)), left);
+  EXPECT_LT(from(-68, 12), left);
+}
+
 }  // namespace
 }  // namespace gluray::render

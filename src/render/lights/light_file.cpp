@@ -20,7 +20,7 @@ namespace {
 using scene::LightSource;
 using Kind = LightSource::Kind;
 
-constexpr double kRadiansPerDegree = 0.017453292519943295;
+constexpr double kRadiansADegree = 0.017453292519943295;
 
 std::string placeOf(const std::string& file, const toml::source_region& at) {
   return file + ":" + std::to_string(at.begin.line) + ": ";
@@ -122,7 +122,7 @@ void readSize(Table& table, LightSource& light) {
   switch (light.kind) {
     case Kind::distant: light.angle = table.number("angle", 0, 0, 90); break;
     case Kind::spot:
-      light.coneCosine = static_cast<float>(std::cos(table.number("cone", 30, 0, 90) * kRadiansPerDegree));
+      light.coneCosine = static_cast<float>(std::cos(table.number("cone", 30, 0, 90) * kRadiansADegree));
       light.coneExponent = table.number("exponent", 0, 0, 128);
       [[fallthrough]];
     case Kind::point:

@@ -6,6 +6,7 @@
 #include "render/lights/preetham.h"
 #include "render/lights/sky_files.h"
 #include "render/lights/sky_image.h"
+#include "render/lights/studio.h"
 
 #include <filesystem>
 #include <mutex>
@@ -55,6 +56,7 @@ std::shared_ptr<const SkyImage> skyOf(const Settings& settings) {
     const std::string key = "sky " + text(e.sun) + ' ' + text(e.ground) + ' ' + std::to_string(e.turbidity);
     return lastSky().get(key, [&] { return preethamSky(e.sun, e.turbidity, e.ground); });
   }
+  if (e.kind == EnvironmentKind::studio) return lastSky().get("studio", studio);
   std::error_code ignored;
   const auto time = std::filesystem::last_write_time(e.file, ignored).time_since_epoch().count();
   return lastSky().get("image " + e.file + ' ' + std::to_string(time), [&] {
@@ -72,10 +74,17 @@ glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) {
   return length > 0 && std::isfinite(length) ? v / length : otherwise;
 }
 
+/// A rotation about y.
+glm::mat3 aboutUp(float degrees) {
+  const double angle = glm::radians(double{degrees}), c = std::cos(angle), s = std::sin(angle);
+  return glm::mat3(glm::transpose(glm::dmat3(c, 0, s, 0, 1, 0, -s, 0, c)));
+}
+
 }  // namespace
 
 glm::mat3 skyFromEye(const Settings& settings, const glm::dmat4& eyeFromWorld) {
   const auto& e = settings.environment;
+  if (e.kind == EnvironmentKind::studio) return aboutUp(e.rotation);
   const glm::dmat3 linear(eyeFromWorld);
   const glm::dvec3 worldUp = unitOr(glm::dvec3(e.up), {0, 1, 0});
   // Azimuth 0 is along the world's x, or z where that is up.
@@ -91,7 +100,7 @@ glm::mat3 skyFromEye(const Settings& settings, const glm::dmat4& eyeFromWorld) {
 std::shared_ptr<const Environment> makeEnvironment(const Settings& settings, const glm::dmat4& eyeFromWorld) {
   const auto& e = settings.environment;
   const glm::mat3 turn = skyFromEye(settings, eyeFromWorld);
-  if (e.kind == EnvironmentKind::sky || e.kind == EnvironmentKind::image)
+  if (e.kind != EnvironmentKind::constant && e.kind != EnvironmentKind::gradient)
     if (auto image = skyOf(settings)) return std::make_shared<TurnedSky>(std::move(image), turn, e.strength);
   if (e.kind != EnvironmentKind::gradient) return std::make_shared<Dome>(e.strength * e.color);
   const glm::vec3 up = glm::transpose(turn)[1];
