@@ -1,5 +1,6 @@
 #include "render/effects/feature_integrators.h"
 
+#include "render/effects/surface_light.h"
 #include "render/lights/relit.h"
 #include "render/paths/path_integrator.h"
 #include "scene/effects.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
@@ -123,8 +125,11 @@ std::unique_ptr<const Integrator> makeFeatureIntegrator(const FrameData& frame) 
   if (mode == Mode::noiseless) return std::make_unique<NoiselessLight>(frame);
   // The local look lacks light from all sides.
   const bool domed = frame.relit && frame.relit->dome.shines();
-  if (!domed && !scene::wantsPaths(frame.snapshot->settings)) return nullptr;
-  return std::make_unique<ReflectanceFeature>(frame);
+  if (domed || scene::wantsPaths(frame.snapshot->settings))
+    return std::make_unique<ReflectanceFeature>(frame);
+  // Hard shadows are a factor of the look, like its colours: the filter must not blur their edges.
+  auto shadowed = std::make_unique<SurfaceLight>(frame, false);
+  return shadowed->castsHardShadowsAlone() ? std::move(shadowed) : nullptr;
 }
 
 }  // namespace gluray::render

@@ -163,13 +163,12 @@ Shadows::Shadows(const FrameData& f, const Metric& m, const Occluders& o, const 
       size(f.snapshot->settings.shadows.size),
       strength(f.snapshot->settings.shadows.strength) {}
 
-int Shadows::raysOf(int row) const {
+bool Shadows::isSampled(int row) const {
   using Kind = scene::LightSource::Kind;
-  if (row == lights.dome) return samples;
+  if (row == lights.dome) return true;
   const scene::LightSource& light = lights.lights[static_cast<size_t>(row)];
-  const bool sized = light.kind == Kind::rectangle || light.kind == Kind::disc || light.angle > 0 ||
-                     light.radius > 0 || size > 0;
-  return sized ? samples : 1;
+  return light.kind == Kind::rectangle || light.kind == Kind::disc || light.angle > 0 || light.radius > 0 ||
+         size > 0;
 }
 
 void Shadows::estimate(const AskedPoints& asked, Visibility& visibility) const noexcept {

@@ -14,8 +14,10 @@ namespace gluray::render {
 /// Analytic Direct Illumination and Stochastic Shadows", 2018).
 struct Shadows {
   Shadows(const FrameData&, const Metric&, const Occluders&, const ShadowLights&);
+  /// Whether the light has a size, so that its shadows are soft.
+  bool isSampled(int row) const;
   /// Rays per point for a light; one for hard shadows.
-  int raysOf(int row) const;
+  int raysOf(int row) const { return isSampled(row) ? samples : 1; }
   /// Fills the rows of Visibility::lights.
   void estimate(const AskedPoints&, Visibility&) const noexcept;
 

@@ -23,7 +23,7 @@ bool shows(uint32_t lanes, const ShadowLights::Rows& rows, const Visibility& vis
 
 }  // namespace
 
-SurfaceLight::SurfaceLight(const FrameData& frame)
+SurfaceLight::SurfaceLight(const FrameData& frame, bool occludes)
     : frame_(frame),
       metric_(frame),
       occluders_(*frame.snapshot, frame.surfaces),
@@ -31,7 +31,7 @@ SurfaceLight::SurfaceLight(const FrameData& frame)
   const Settings& settings = frame.snapshot->settings;
   if (frame.relit && frame.relit->dome.shines()) dome_ = &frame.relit->dome;
   hasAreas_ = frame.relit && std::any_of(frame.relit->sources.begin(), frame.relit->sources.end(), isArea);
-  if (scene::wantsOcclusion(settings)) occlusion_.emplace(frame, metric_, occluders_);
+  if (occludes && scene::wantsOcclusion(settings)) occlusion_.emplace(frame, metric_, occluders_);
   if (!scene::wantsShadows(settings)) return;
   if (!lights_.lights.empty())
     shadows_.emplace(frame, metric_, occluders_, lights_);
@@ -39,6 +39,13 @@ SurfaceLight::SurfaceLight(const FrameData& frame)
     log::once(log::Level::info, "no shadows",
               "shadows are on, but no light casts shadows that are visible to the viewer; add a light, for "
               "instance with lights=headlight+key");
+}
+
+bool SurfaceLight::castsHardShadowsAlone() const {
+  if (!shadows_ || occlusion_ || dome_ || hasAreas_) return false;
+  for (int row = 0; row < static_cast<int>(lights_.lights.size()); ++row)
+    if (shadows_->isSampled(row)) return false;
+  return true;
 }
 
 UsedVisibility SurfaceLight::used() const noexcept {

@@ -11,9 +11,13 @@ namespace gluray::render {
 class SurfaceLight final : public VisibilityIntegrator {
  public:
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
-  explicit SurfaceLight(const FrameData& frame);
+  /// `occludes`: false: without ambient occlusion, whatever the settings say.
+  explicit SurfaceLight(const FrameData& frame, bool occludes = true);
   /// Whether it changes anything.
   bool acts() const { return occlusion_ || shadows_ || dome_ || hasAreas_; }
+
+  /// Whether all light is known without samples: there are shadows, all of them hard, and nothing else.
+  bool castsHardShadowsAlone() const;
 
   UsedVisibility used() const noexcept override;
   void estimate(const AskedPoints&, Visibility&) const noexcept override;
