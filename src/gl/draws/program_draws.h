@@ -54,6 +54,9 @@ class ProgramDraws {
   Reason classifyAlways(const KnownMesh& mesh) const;  // as if engine = always
   /// The reason why a surface is not traced because of its alpha, blending or depth mask, or Reason::traced.
   Reason ofBlending(const scene::Mesh& mesh) const;
+  /// Why a coarse depth buffer keeps an opaque surface from being traced, or Reason::traced: hits of one
+  /// depth step are not compared with those that rays find behind failing fragments, or at grown edges.
+  Reason ofCoarseDepth() const;
   /// Whether surfaces can now be blended in drawing order.
   bool mayBeBlended() const;
   /// Whether this surface would be blended in drawing order.
