@@ -63,6 +63,8 @@ class ProgramDraws {
   bool isBlended(const scene::Mesh& mesh) const;
   /// The reason why a surface with an alpha below 1 is not traced, or Reason::traced. Considers instances.
   Reason unlessOpaque() const;
+  /// Whether highlights are elsewhere where directions to the viewer are those of the pixels.
+  bool movesHighlights(const scene::Mesh& mesh) const;
   bool isOneOfPasses(const scene::Mesh& mesh) const;
   /// A sample of triangles from each array that may hold positions.
   std::vector<std::vector<Triangle>> sampleArrays(GLenum mode, const Elements& elements) const;
