@@ -161,6 +161,9 @@ struct Snapshot {
   int samples = 1;                         // of the framebuffer
   std::vector<glm::vec2> samplePositions;  // in [0,1)^2 from the pixel's lower left corner, `samples` of them
   PolygonOffset polygonOffset;
+  // Steps of a coarse depth buffer between depths 0 and 1: surfaces in one step are equally deep, as in
+  // OpenGL. 0: depths are compared exactly. Batches without layers only.
+  double depthSteps = 0;
   std::shared_ptr<const Layers> layers;  // null: only the nearest surface is visible. One sample per pixel
   bool wideColors = false;               // colours are returned as floats, not clamped to [0, 1]
   // With wide colours: averages of several samples are those of samples rounded to bytes, as in a framebuffer

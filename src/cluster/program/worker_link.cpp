@@ -64,7 +64,8 @@ void setBox(PartView& view, const scene::Snapshot& s) {
 PartView partViewOf(const scene::Snapshot& s) {
   WriteMessage all;
   all(s.camera.depthNear, s.camera.depthFar, s.camera.rowsFromTop, s.region, s.samples, s.samplePositions,
-      s.polygonOffset, s.wideColors, s.encodes, s.colorWrites, s.laterWins, s.camera.largestWins);
+      s.polygonOffset, s.depthSteps, s.wideColors, s.encodes, s.colorWrites, s.laterWins,
+      s.camera.largestWins);
   const std::vector<std::byte> bytes = all.out().takeBytes();
   PartView view;
   view.frame = s.frame, view.viewport = s.camera.viewport;

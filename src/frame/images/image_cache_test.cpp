@@ -52,6 +52,7 @@ TEST_F(ImageCacheTest, ChangedSnapshotsAreNotFound) {
       [](S& s) { s.samplePositions = {glm::vec2(0.25f)}; },
       [](S& s) { s.polygonOffset.units = 1; },
       [](S& s) { s.laterWins = true; },
+      [](S& s) { s.depthSteps = 65535; },
       [](S& s) { s.wideColors = true; },
       [](S& s) { s.layers = std::make_shared<scene::Layers>(); },
       [](S& s) { s.shadings[0].lighting = !s.shadings[0].lighting; },

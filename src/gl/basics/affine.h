@@ -43,6 +43,16 @@ inline std::array<glm::dvec4, 8> boundsInClip(const scene::Mesh& mesh, const glm
   return corners;
 }
 
+/// How far apart the mesh's points are in depth, NDC; infinite if they are not all before the viewer.
+inline double depthExtent(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
+  double lower = INFINITY, upper = -INFINITY;
+  for (const glm::dvec4& clip : boundsInClip(mesh, clipFromObject)) {
+    if (!(clip.w > 0)) return INFINITY;
+    lower = std::min(lower, clip.z / clip.w), upper = std::max(upper, clip.z / clip.w);
+  }
+  return upper - lower;
+}
+
 /// Whether all points of the mesh have the same window depth: then drawing order, not distance, decides.
 inline bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
   double lower = INFINITY, upper = -INFINITY;

@@ -78,6 +78,7 @@ void Batch::start(const BatchKey& key, const TargetState& target, const glm::dma
   snapshot_->wideColors = target.wideColors || key.encodes;
   snapshot_->colorWrites = key.colorWrites;
   snapshot_->laterWins = key.depthFunc == GL_LEQUAL || key.depthFunc == GL_GEQUAL;
+  if (key.layers == BatchKey::Layers::none) snapshot_->depthSteps = target.coarseDepthSteps();
   if (key.layers == BatchKey::Layers::drawn) {
     auto layers = std::make_shared<scene::Layers>();
     layers->of = scene::Layers::Of::drawn;

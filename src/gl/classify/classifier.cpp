@@ -217,8 +217,11 @@ Reason Classifier::whereEverythingIsTraced(const KnownMesh& known,
   if (surfaces.passes.several(known.mesh->geometryId) ||
       surfaces.passes.meetsRasterised(*known.mesh, shadow.modelview(), depthPlaceOf(shadow), isPushedBack()))
     return Reason::passes;
-  if (isFlat(*known.mesh, clipFromObject)) return Reason::flat;
+  if (isFlat(*known.mesh, clipFromObject) || isThin(*known.mesh, clipFromObject)) return Reason::flat;
   const RasterState& raster = shadow.raster();
+  // Behind fragments that fail, rays go on to the nearest hit.
+  if (hasCoarseDepth() && raster.alphaTest != scene::AlphaTest{} && !isLayer(*known.mesh, materials))
+    return Reason::alphaTest;
   if (raster.program != 0) return ofProgramsMesh(*known.mesh, materials);
   if (raster.unlessOpaque == Reason::traced && raster.alphaTest == scene::AlphaTest{}) return Reason::traced;
   if (isOpaque(*known.mesh, materials)) return Reason::traced;

@@ -1,6 +1,7 @@
 // Decides whether draws of the fixed-function pipeline are traced or rasterised, and contains the checks that
 // all draws share. A part of each Context, GL thread.
 #pragma once
+#include "gl/basics/affine.h"
 #include "gl/basics/failsafe.h"
 #include "gl/basics/reasons.h"
 #include "gl/capture/mesh_cache.h"
@@ -12,6 +13,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
 #include <vector>
 
 namespace gluray::gl {
@@ -43,6 +45,16 @@ class Classifier {
   bool hasNoDepth() const {
     const ViewportState& viewport = p_.shadow.viewport();
     return viewport.depthNear == viewport.depthFar;
+  }
+  /// Whether the depth buffer is so coarse that surfaces behind each other may have equal depths there.
+  bool hasCoarseDepth() const { return p_.shadow.target().coarseDepthSteps() > 0; }
+  /// Whether the mesh lies within two steps of a coarse depth buffer, where OpenGL's rounding decides what it
+  /// hides.
+  bool isThin(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) const {
+    const ViewportState& viewport = p_.shadow.viewport();
+    const double range = std::abs(double{viewport.depthFar} - double{viewport.depthNear});
+    const double steps = 0.5 * range * p_.shadow.target().coarseDepthSteps();
+    return hasCoarseDepth() && steps * depthExtent(mesh, clipFromObject) < 2;
   }
   /// The reason why a draw of fixed function's vertices, by fixed function or by a shader program, cannot be
   /// traced now if it has this primitive class, or Reason::traced.

@@ -48,13 +48,22 @@ Reason ProgramDraws::ofBlending(const scene::Mesh& mesh) const {
   const bool opaque = drawsOpaque(program, mesh, program.color);
   if (!opaque && program.known->family->opaqueColors) return Reason::programValue;
   const bool solid = scene::isSolid(mesh.shape);
-  if (opaque && (solid || raster.reason == Reason::traced)) return Reason::traced;
+  const bool instanced = !p_.shadow.attributes().instanceTransform.empty();  // see classifyInstances()
+  if (!solid && !instanced && p_.classifier.isThin(mesh, program.clipFromObject)) return Reason::flat;
+  if (opaque && (solid || raster.reason == Reason::traced)) return ofCoarseDepth();
   if (!isBlended(mesh)) return raster.unlessOpaque;
   const bool single = isSingle(mesh, program, raster);
   const bool whole = !raster.writesDepth || !mayDiscard(program, mesh);
   const bool grows = program.shading.fragment.edges && program.shading.fragment.edgesGrow;
   if (single && whole && !grows) return Reason::traced;
   return raster.reason != Reason::traced ? raster.reason : raster.unlessOpaque;
+}
+
+Reason ProgramDraws::ofCoarseDepth() const {
+  if (!p_.classifier.hasCoarseDepth()) return Reason::traced;
+  const scene::Shading& shading = p_.shadow.program().shading;
+  if (shading.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
+  return shading.fragment.edges && shading.fragment.edgesGrow ? Reason::program : Reason::traced;
 }
 
 Reason ProgramDraws::unlessOpaque() const {

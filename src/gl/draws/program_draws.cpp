@@ -2,6 +2,7 @@
 
 #include "gl/arrays/array_indices.h"
 #include "gl/basics/affine.h"
+#include "gl/basics/regions.h"
 #include "gl/capture/mesh_builder.h"
 #include "gl/classify/solid_draws.h"
 #include "gl/impostors/sent_billboards.h"
@@ -124,7 +125,7 @@ Reason ProgramDraws::classifyAlways(const KnownMesh& known) const {
   if (offsetsProgramDepth(p_.shadow, known.mesh->shape)) return Reason::program;
   const ProgramState& program = p_.shadow.program();
   if (showsOpacityBeneath(program, *known.mesh, program.color) ||
-      hasOtherValues(program, *known.mesh, p_.shadow.settings))
+      hasOtherValues(program, *known.mesh, p_.shadow.settings) || movesHighlights(*known.mesh))
     return Reason::programValue;
   if (p_.shadow.attributes().instanceTransform.empty()) {  // otherwise classifyInstances() checks each
     const glm::ivec4& viewport = p_.shadow.viewport().box;
@@ -174,6 +175,7 @@ ProgramDraws::Placed ProgramDraws::preparePlace(const scene::Mesh& mesh, const g
   if (blended) p_.layers.drawn.describe(key, BatchKey::DrawnBy::arrays);
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   key.offset = peeled ? scene::PolygonOffset{} : offsetOf(p_.shadow, shape);
+  if (program.window) key.region = common(key.region, *program.window);
   p_.filler.clampToTarget(key.region);
   if (key.region.width <= 0 || key.region.height <= 0) return Placed::nowhere;
   const BatchKey* there = !p_.pending.batch.empty() ? &p_.pending.batch.key()

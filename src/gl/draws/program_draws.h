@@ -54,12 +54,17 @@ class ProgramDraws {
   Reason classifyAlways(const KnownMesh& mesh) const;  // as if engine = always
   /// The reason why a surface is not traced because of its alpha, blending or depth mask, or Reason::traced.
   Reason ofBlending(const scene::Mesh& mesh) const;
+  /// Why a coarse depth buffer keeps an opaque surface from being traced, or Reason::traced: hits of one
+  /// depth step are not compared with those that rays find behind failing fragments, or at grown edges.
+  Reason ofCoarseDepth() const;
   /// Whether surfaces can now be blended in drawing order.
   bool mayBeBlended() const;
   /// Whether this surface would be blended in drawing order.
   bool isBlended(const scene::Mesh& mesh) const;
   /// The reason why a surface with an alpha below 1 is not traced, or Reason::traced. Considers instances.
   Reason unlessOpaque() const;
+  /// Whether highlights are elsewhere where directions to the viewer are those of the pixels.
+  bool movesHighlights(const scene::Mesh& mesh) const;
   bool isOneOfPasses(const scene::Mesh& mesh) const;
   /// A sample of triangles from each array that may hold positions.
   std::vector<std::vector<Triangle>> sampleArrays(GLenum mode, const Elements& elements) const;

@@ -65,6 +65,7 @@ Reason ProgramDraws::classifyInstances(const scene::Mesh& mesh, const Elements& 
     if (!isAffine(glm::dmat4(*m), glm::dvec3(1))) return Reason::homogeneous;
     if (RayPrecision::isFarFromOrigin(mesh, clipFromObject, {viewport.z, viewport.w}, glm::dmat4(*m)))
       return Reason::farFromOrigin;
+    if (p_.classifier.isThin(mesh, clipFromObject * glm::dmat4(*m))) return Reason::flat;
     if (glm::mat3(*m) != glm::mat3(0) && !scene::isPlaceable(*m)) return Reason::singularMatrix;
   }
   return Reason::traced;

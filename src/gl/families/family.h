@@ -115,15 +115,20 @@ struct Family {
   bool instanceTurnsNormals = false;  // instanceTransform's inverse transpose applies to normals
   FamilyPulling pulling;
   FamilyVolume volume;
-  std::vector<std::string> clipFromObject, eyeFromObject;  // uniforms, multiplied from left to right
-  std::string viewer;        // uniform: viewer position in the space after eyeFromObject; empty: its origin
-  std::string normalMatrix;  // uniform; empty: inverse transpose of eyeFromObject
+  std::vector<std::string> clipFromObject, eyeFromObject;  // uniforms or functions, from left to right
+  std::string viewer;  // uniform: viewer position in the space after eyeFromObject; empty: its origin
+  /// Function to the space after eyeFromObject from one in which lines of sight run along z; gives the
+  /// viewer.
+  std::string linesOfSight;
+  std::vector<std::string> eyeAgain;  // their product must be that of eyeFromObject, up to a factor
+  std::string normalMatrix;           // uniform; empty: inverse transpose of eyeFromObject
   NoNormals withoutNormals = NoNormals::refuse;
   bool flipBackFaces = false;  // back faces are lit with the reversed normal
   std::string flipsBackFaces;  // uniform; not 0: as flipBackFaces
   bool facesViewer = false;    // scene::FragmentShading
   bool flipsTriangles = false;
-  bool darkBackFaces = false;  // back faces whose normals are not reversed have ambient light only
+  bool derivedNormals = false;  // triangle normals are cross products of derivatives in the window
+  bool darkBackFaces = false;   // back faces whose normals are not reversed have ambient light only
   scene::FragmentShading::UnitNormals unitNormals = scene::FragmentShading::UnitNormals::pixels;
   std::string parallelView;  // uniform, not 0: the viewer is at infinity (for triangle normals)
 
@@ -190,7 +195,10 @@ struct Family {
   std::string edgeViewport;     // uniform: x, y, width, height of the viewport that the shader assumes
   bool geometryShader = false;  // programs of the family have one
   FamilyImpostors impostors;
-  bool clipCenters = false;                // clip planes remove whole impostors by their centres
+  bool clipCenters = false;  // clip planes remove whole impostors by their centres
+  /// Uniform: least and greatest x, least and greatest y of drawn pixels; a function that must be the
+  /// identity.
+  std::string clipWindow, windowFromPixels;
   std::string clipPlanes, clipPlaneCount;  // uniform array of planes in object space; number of active ones
   FamilyValue depthOffset, depthFactor;    // added to window depth: offset, and factor times its slope
 

@@ -9,10 +9,12 @@
 namespace gluray::gl {
 
 /// A number, vector or matrix: the value of a uniform, a constant, or, if the name is that of a placeholder,
-/// a number in the program's statements. If both are empty, the family does not specify it.
+/// a number in the program's statements. If both are empty, the family does not specify it. `factors`:
+/// further uniforms that it is multiplied by.
 struct FamilyValue {
   std::string uniform;
   std::vector<float> constant;
+  std::vector<std::string> factors = {};
   bool given() const { return !uniform.empty() || !constant.empty(); }
 };
 
@@ -52,8 +54,10 @@ struct FamilyLights {
   /// Colours and exponents of the lights' highlights. They replace the product of light colour and specular
   /// material colour, and the material's exponent. The last entry also applies to all further lights.
   std::vector<FamilyValue> specularColor, shininess;
-  bool infiniteViewer = false;  // highlights as if the viewer were at infinity
-  FamilyValue halfVector;       // highlights depend on the cosine between the normal and this vector
+  bool infiniteViewer = false;           // highlights as if the viewer were at infinity
+  bool viewerAtVertices = false;         // directions to the viewer are those of the vertices, interpolated
+  bool highlightsNeedShininess = false;  // there are none where the exponent is not above 0
+  FamilyValue halfVector;                // highlights depend on the cosine between the normal and this vector
   using HighlightColor = scene::FragmentShading::HighlightColor;
   HighlightColor highlightColor = HighlightColor::material;
   bool clamped = false;  // ambient plus diffuse light is at most 1

@@ -55,7 +55,7 @@ class TypeCheck {
     for (const std::string& name : names) uniform(name, types);
   }
   void values(std::initializer_list<const FamilyValue*> values) const {
-    for (const FamilyValue* v : values) uniform(v->uniform, kValue);
+    for (const FamilyValue* v : values) uniform(v->uniform, kValue), uniforms(v->factors, kValue);
   }
   void material(const FamilyMaterial& m) const {
     values({&m.ambientIntensity, &m.ambientColor, &m.diffuseIntensity, &m.diffuseColor, &m.specularIntensity,
@@ -125,7 +125,7 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   check.uniform(f.flipsBackFaces, kNumber), check.uniform(f.lights.enabled, kNumber);
   check.values({&f.fog.color, &f.fog.start, &f.fog.end, &f.fog.scale, &f.fog.density});
   check.uniform(f.uniformColors, kNumber), check.uniform(f.clipPlaneCount, kNumber);
-  check.uniform(f.clipPlanes, kVector);
+  check.uniform(f.clipPlanes, kVector), check.uniform(f.clipWindow, kVec4);
   check.uniform(f.texcoordMatrix, kMatrix);
   check.values({&f.edgeWidth, &f.edgeColor, &f.edgeOpacity});
   check.values({&f.rimColor, &f.rimExponent, &f.rimOpacity});

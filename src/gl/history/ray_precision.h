@@ -27,6 +27,9 @@ class RayPrecision {
   static bool isFarFromOrigin(const scene::Mesh& mesh, const glm::dmat4& clipFromObject, glm::ivec2 viewport,
                               const glm::dmat4& objectFromMesh = glm::dmat4(1));
 
+  /// The longest edge of the mesh's triangles, of which there must be one.
+  double longestEdge(const scene::Mesh& mesh) { return largestOf(mesh).front().size; }
+
   static constexpr size_t kMaxExamined = 64;
 
  private:

@@ -83,7 +83,7 @@ void ProgramReader::readModel() {
   f.unitNormals = family_.unitNormals;
   f.twoSidedLights = family_.lights.twoSided;
   f.highlightsInDark = family_.lights.highlightsInDark;
-  f.infiniteViewer = family_.lights.infiniteViewer;
+  f.infiniteViewer = family_.lights.infiniteViewer || seenFromInfinity_;
   f.clampsLight = family_.lights.clamped;
   f.normalColors = family_.normalColors;
   f.facesViewer = family_.facesViewer, f.flipsTriangles = family_.flipsTriangles;
@@ -104,7 +104,8 @@ void ProgramReader::readModel() {
   // The sign of triangle normals that are flipped counts: they face the viewer wherever it is.
   const auto& m = out_.clipFromObject;
   const bool parallel = m[0].w == 0 && m[1].w == 0 && m[2].w == 0;
-  f.parallelView = uniforms_.integer(family_.parallelView) != 0 || (f.flipsTriangles && parallel);
+  f.parallelView =
+      uniforms_.integer(family_.parallelView) != 0 || seenFromInfinity_ || (f.flipsTriangles && parallel);
 }
 
 void ProgramReader::readFog() {

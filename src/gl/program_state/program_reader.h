@@ -34,7 +34,14 @@ class ProgramReader {
   Reason checkNeutral();
   /// Checks fixed function's state that changes the output of shader programs with gl_Vertex.
   Reason checkBuiltInState();
-  void readTransform();
+  Reason readTransform();
+  /// Reads the matrices of families that name functions (Family::linesOfSight, Family::eyeAgain).
+  Reason readSight();
+  /// Places the viewer. `toViewer`: homogeneous; w is 0 of one at infinity.
+  void placeViewer(const glm::dvec4& toViewer);
+  /// Turns directions of lights into the space of the viewer, and drops highlights without an exponent.
+  void turnLights();
+  Reason readWindow();
   void readMaterial(const FamilyMaterial& m, scene::Material& material);
   void readBackMaterial();
   /// Finds out whether back faces are invisible. Call it after the colours have been read.
@@ -98,6 +105,8 @@ class ProgramReader {
   const Family& family_;
   const UniformReader uniforms_;
   glm::dvec3 viewer_{0};
+  bool seenFromInfinity_ = false;  // along +z, by Family::linesOfSight
+  glm::dmat3 turn_{1};             // of the space of lights, which puts the viewer there
   glm::mat4 texcoordMatrix_{1};
 };
 

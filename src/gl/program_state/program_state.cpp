@@ -21,15 +21,17 @@ Reason ProgramReader::read() {
   if (const Reason reason = checkNeutral(); reason != Reason::traced) return reason;
   if (const Reason reason = checkBuiltInState(); reason != Reason::traced) return reason;
   if (const Reason reason = readPulled(); reason != Reason::traced) return reason;
-  readTransform();
+  if (const Reason reason = readTransform(); reason != Reason::traced) return reason;
   readMaterial(family_.material, out_.material.front);
   readBackMaterial();
   readModel();
   out_.shading.fragment.lights =
       readLights(family_.lights, uniforms_, glm::vec3(viewer_), out_.material.front.shininess, *out_.known);
+  turnLights();
   readFog();
   if (const Reason reason = readImpostors(); reason != Reason::traced) return reason;
   readClipPlanes();
+  if (const Reason reason = readWindow(); reason != Reason::traced) return reason;
   readDepthOffset();
   if (const Reason reason = readNormals(); reason != Reason::traced) return reason;
   if (const Reason reason = readEdges(); reason != Reason::traced) return reason;
@@ -77,21 +79,6 @@ Reason ProgramReader::checkBuiltInState() {
   if (isOn(real_, GL_COLOR_MATERIAL) && std::ranges::any_of(family_.mentioned, isOfMaterial))
     return refuse("GL_COLOR_MATERIAL is on");
   return Reason::traced;
-}
-
-void ProgramReader::readTransform() {
-  out_.clipFromObject = *uniforms_.product(family_.clipFromObject);
-  if (hasDepthsFromZero(real_, has_)) out_.clipFromObject = toUsualDepths(out_.clipFromObject);
-  out_.eyeFromObject = uniforms_.product(family_.eyeFromObject);
-  // Lights may be given in another space than eye space, such as world space: moves the origin to the viewer.
-  viewer_ = glm::vec3(uniforms_.vector(family_.viewer));
-  if (out_.eyeFromObject) out_.eyeFromObject = glm::translate(glm::dmat4(1), -viewer_) * *out_.eyeFromObject;
-  if (uniforms_.has(family_.normalMatrix))
-    out_.normalMatrix = uniforms_.matrix3(family_.normalMatrix);
-  else if (out_.eyeFromObject)
-    out_.normalMatrix = glm::mat3(glm::transpose(glm::inverse(glm::dmat3(*out_.eyeFromObject))));
-  else
-    out_.normalMatrix = glm::mat3(1);
 }
 
 Reason ProgramReader::readImpostors() {

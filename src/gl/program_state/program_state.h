@@ -30,7 +30,8 @@ struct ProgramState {
   glm::mat3 normalMatrix{1};
   scene::Shading shading;
   scene::MaterialPair material;
-  std::vector<glm::dvec4> clipPlanes;  // object space
+  std::vector<glm::dvec4> clipPlanes;   // object space
+  std::optional<scene::Region> window;  // of pixels that the program draws
   scene::PolygonOffset depthOffset;
   scene::Impostors impostors;
   float pixelSize = 0;        // of points and lines that the program sizes in pixels; 0: not given

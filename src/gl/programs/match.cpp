@@ -136,7 +136,7 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
   if (f.pulling.given() && !p.uniform(f.pulling.pointIds))
     out.push_back(about("lacks uniform ", f.pulling.pointIds));
   for (const std::string& name : f.clipFromObject)
-    if (!p.uniform(name)) out.push_back(about("lacks uniform ", name));
+    if (!name.starts_with('$') && !p.uniform(name)) out.push_back(about("lacks uniform ", name));
   if (!f.impostors.projection.empty() && !p.uniform(f.impostors.projection))
     out.push_back(about("lacks uniform ", f.impostors.projection));
   for (const std::string* name : {&f.impostors.axis, &f.impostors.corners, &f.impostors.end})

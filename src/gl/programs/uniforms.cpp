@@ -199,6 +199,12 @@ std::string UniformReader::unlike(const std::string& name, const std::vector<flo
 }
 
 glm::vec4 UniformReader::value(const FamilyValue& value, const glm::vec4& otherwise) const {
+  glm::vec4 product = first(value, otherwise);
+  for (const std::string& factor : value.factors) product *= first({factor, {}}, glm::vec4(1));
+  return product;
+}
+
+glm::vec4 UniformReader::first(const FamilyValue& value, const glm::vec4& otherwise) const {
   if (!value.constant.empty()) {
     glm::vec4 v(value.constant[0]);
     for (size_t i = 1; i < value.constant.size(); ++i) v[static_cast<int>(i)] = value.constant[i];

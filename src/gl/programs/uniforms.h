@@ -66,6 +66,7 @@ class UniformReader {
   std::optional<glm::dmat4> product(const std::vector<std::string>& names) const;
   /// The value of a constant, a uniform or a placeholder; `otherwise` if the family specifies none of them,
   /// or the uniform is not active, or no statement has the placeholder. A single number fills all components.
+  /// Factors that are not active do not count.
   glm::vec4 value(const FamilyValue& value, const glm::vec4& otherwise) const;
   /// The value of `name` in the form of inWords(). Empty if it is `neutral` (Family::neutral) or not active.
   std::string unlike(const std::string& name, const std::vector<float>& neutral) const;
@@ -77,6 +78,8 @@ class UniformReader {
     int component = -1;                   // that the name ends with; -1: none
   };
   Found find(const std::string& name, int element) const;
+  /// The value without its factors.
+  glm::vec4 first(const FamilyValue& value, const glm::vec4& otherwise) const;
   const UniformValue* findWhole(std::string_view name, int element) const;
   const Program& program_;
   const UniformValues& values_;

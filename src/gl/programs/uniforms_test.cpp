@@ -71,6 +71,13 @@ TEST_F(Uniforms, ColumnsOfMatrices) {
   EXPECT_FALSE(reader().has("n.2") || reader().has("m.4") || reader().has("m.r"));
 }
 
+TEST_F(Uniforms, Products) {
+  add("v", GL_FLOAT_VEC4), add("f", GL_FLOAT_VEC2);
+  EXPECT_EQ(reader().value({"v", {}, {"f.g", "v"}}, glm::vec4(0)), glm::vec4(2, 8, 18, 32));
+  EXPECT_EQ(reader().number({"v.b", {}, {"absent", "v.a"}}, 0), 12) << "others do not count";
+  EXPECT_EQ(reader().number({"absent", {}, {"v.a"}}, 0.5f), 2) << "factors count without the first";
+}
+
 TEST_F(Uniforms, VectorsAndNumbers) {
   add("v", GL_FLOAT_VEC3), add("i", GL_INT), add("f", GL_FLOAT);
   EXPECT_EQ(glm::vec3(reader().vector("v")), glm::vec3(1, 2, 3));

@@ -91,7 +91,12 @@ struct TargetState {
   bool blendable = false;
   bool halfFloats = false;  // of wideColors that are blendable: 16 bits a channel
   double depthSteps = 0;    // from depth 0 to 1; 0: depth is floats
-  bool encodes = false;     // GL_FRAMEBUFFER_SRGB: colours may be encoded when written
+  /// depthSteps, if there are so few that surfaces behind each other may have equal depths; else 0.
+  double coarseDepthSteps() const {
+    constexpr double kMost = 65535;  // 16 bits
+    return depthSteps <= kMost ? depthSteps : 0;
+  }
+  bool encodes = false;  // GL_FRAMEBUFFER_SRGB: colours may be encoded when written
   float depthResolution = 1.0f / 16777216.0f;
   // Unit of glPolygonOffset. If depthFloats, the unit is the last bit of the depth instead.
   float offsetUnit = 1.0f / 8388608.0f;

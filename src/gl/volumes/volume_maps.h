@@ -1,8 +1,8 @@
 // Maps of colours that shader programs compute in functions, as tables. A part of VolumeDraws, GL thread.
 #pragma once
+#include "gl/programs/program_functions.h"
 #include "gl/programs/uniforms.h"
 #include "gl/shadow/shadow_state.h"
-#include "gl/volumes/program_functions.h"
 #include "scene/volumes/transfer_function.h"
 
 #include <memory>

@@ -1,7 +1,7 @@
 // VolumeReader: programs whose rays end on the faces, and whose colours are those of one map.
 #include "gl/basics/affine.h"
+#include "gl/programs/program_functions.h"
 #include "gl/real/clip_depths.h"
-#include "gl/volumes/program_functions.h"
 #include "gl/volumes/volume_look_reader.h"
 #include "gl/volumes/volume_reader.h"
 

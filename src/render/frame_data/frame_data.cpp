@@ -123,7 +123,8 @@ void prepareLeastDepth(FrameData& frame) {
   const scene::Snapshot& s = *frame.snapshot;
   const auto mayRefuse = [](const Surface& f) { return f.cullsCcw || f.cullsCw || f.ownClipPlanes; };
   const bool atCenters = frame.oncePerPixel && std::any_of(s.shadings.begin(), s.shadings.end(), writesDepth);
-  frame.leastDepth = (scene::ordersBySlope(s) || atCenters) && frame.depth.scale != 0 && !s.layers;
+  const bool uncertain = scene::ordersBySlope(s) || atCenters || s.depthSteps > 0;
+  frame.leastDepth = uncertain && frame.depth.scale != 0 && !s.layers;
   if (frame.leastDepth) {
     frame.leastDepthReach = reachOfLeastDepth(frame, atCenters);
     const glm::dmat4 rows = glm::transpose(s.camera.clipFromEye * s.eyeFromWorld);

@@ -63,7 +63,9 @@ struct FrameData {
   mutable std::array<std::array<std::atomic<uint32_t>, LayerCounts::kMax>, 2> layerCounts{};
   bool edgesGrow = false;                       // some surface's triangles grow by their edges
   std::unique_ptr<const GrownTriangles> grown;  // null: no triangle grows by its edges
-  bool leastDepth = false;  // depths shift by triangles' slopes: the nearest hit may not have the least depth
+  // Depths shift by triangles' slopes, or the depth buffer is coarse: the nearest hit may not be the visible
+  // one.
+  bool leastDepth = false;
   // leastDepth: largest eye-space distance by which a hit of lesser depth may lie behind another.
   double leastDepthReach = 0;
   glm::dvec4 clipZ{0}, clipW{0};  // leastDepth: rows of the matrix from world to clip space

@@ -1,7 +1,7 @@
-// Finds the hit of least depth where depths depend on triangles' slopes: polygon offset with a factor, or a
-// program that writes the pixel centre's depth for all samples. The nearest hit need not have the least
-// depth: at silhouettes a steep front may end up behind its back. Part of kernels.cpp (compiled once for each
-// instruction set).
+// Finds the hit of least depth where the nearest hit need not have it. Depths may depend on triangles'
+// slopes, by polygon offset with a factor, or by a program that writes the pixel centre's depth for all
+// samples: at silhouettes a steep front may end up behind its back. Or the depth buffer is so coarse that
+// surfaces behind each other have equal depths. Part of kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_LEAST_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_LEAST_DEPTH_INL_H_
 #undef GLURAY_RENDER_LEAST_DEPTH_INL_H_
@@ -36,13 +36,20 @@ HWY_ATTR inline void depthsOfHits(const FrameData& frame, uint32_t lanes, const 
   }
 }
 
+/// How far behind a depth, in NDC, surfaces may be that the depth buffer does not tell from it.
+inline double depthStepInNdc(const FrameData& frame) {
+  constexpr double kOneStep = 0x1p-23;
+  const double steps = frame.snapshot->depthSteps;
+  return steps > 0 ? std::max(kOneStep, 1 / (steps * std::abs(frame.depth.scale))) : kOneStep;
+}
+
 /// The distance along lane i's ray beyond which no triangle can have a window depth below `least`.
 inline float reachOf(const FrameData& frame, const accel::RayPacket& rays, int i, float least) {
   const DepthMap& map = frame.depth;
   const float end = rays.tFar[i];
   if (!std::isfinite(frame.leastDepthReach)) return end;
-  constexpr double kOneStep = 0x1p-23;
-  const double away = map.scale > 0 ? kOneStep : -kOneStep;
+  const double step = depthStepInNdc(frame);
+  const double away = frame.snapshot->camera.firstNdcDepth() < 0 ? step : -step;
   const double ndc = (least - map.constant - map.offset) / map.scale + away;
   const glm::dvec4 line = frame.clipZ - ndc * frame.clipW;
   const glm::dvec4 org(rays.orgX[i], rays.orgY[i], rays.orgZ[i], 1);
@@ -55,11 +62,12 @@ inline float reachOf(const FrameData& frame, const accel::RayPacket& rays, int i
 /// Continues the rays behind their hits, and collects all hits whose depth may be less.
 HWY_ATTR inline void collectBehind(const FrameData& frame, const float* least, CollectedHits& behind,
                                    Work& work) {
-  constexpr float kBehind = 1 + 0x1p-21f;  // skips the same hit
+  // Skips the same hit. In a coarse depth buffer order decides also between hits that are as near as that.
+  const float skipped = frame.snapshot->depthSteps > 0 ? 1 - 0x1p-21f : 1 + 0x1p-21f;
   alignas(64) float passed[kLanes];
   for (int i = 0; i < kLanes; ++i) {
     work.valid[i] = work.hits >> i & 1 ? -1 : 0;
-    passed[i] = work.packet.tFar[i] * kBehind;
+    passed[i] = work.packet.tFar[i] * skipped;
   }
   const accel::ImpostorQuery* impostors = aimRays(frame, work);
   accel::RayPacket& rays = work.packet;

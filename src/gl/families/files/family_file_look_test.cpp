@@ -85,7 +85,8 @@ TEST(FamilyFileLook, LightMistakes) {
   EXPECT_EQ(mistakeIn("lights.count_in_source = \"x\""),
             "x.toml:1: family \"f\": lights.count_in_source needs match.code");
   EXPECT_EQ(mistakeIn("lights.model = \"pbr\"\nlights.viewer = \"infinite\""),
-            "x.toml:1: family \"f\": lights.clamped, lights.viewer, lights.half_vector and "
+            "x.toml:1: family \"f\": lights.clamped, lights.viewer, lights.half_vector, "
+            "lights.highlights_need_shininess and "
             "normals.dark_back_faces are for the model phong");
   EXPECT_EQ(mistakeIn("lights.shininess = []"), "x.toml:6: shininess needs a value");
 }
@@ -229,7 +230,8 @@ TEST(FamilyFileLook, HalfVectorsAndComponentsOfLights) {
   EXPECT_EQ(ofLight(f.lights.color, f.lights, 2), "scale.2");
   EXPECT_TRUE(!f.colorAlpha && parsed().colorAlpha);
   EXPECT_EQ(mistakeIn("lights = { model = \"unlit\", half_vector = \"h\" }"),
-            "x.toml:1: family \"f\": lights.clamped, lights.viewer, lights.half_vector and "
+            "x.toml:1: family \"f\": lights.clamped, lights.viewer, lights.half_vector, "
+            "lights.highlights_need_shininess and "
             "normals.dark_back_faces are for the model phong");
 }
 

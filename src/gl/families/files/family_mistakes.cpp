@@ -109,10 +109,11 @@ std::string mistakeInLook(const Family& family) {
       (colors.empty() || family.model != Family::Model::phong || !family.lights.specularColor.empty()))
     return "lights.highlight_color needs vertex.color and the model phong, without lights.specular_color";
   const bool phong = family.model == Family::Model::phong;
-  if (!phong && (family.lights.clamped || family.lights.infiniteViewer || family.darkBackFaces ||
-                 family.lights.halfVector.given()))
-    return "lights.clamped, lights.viewer, lights.half_vector and normals.dark_back_faces are for the model "
-           "phong";
+  if (!phong &&
+      (family.lights.clamped || family.lights.infiniteViewer || family.lights.viewerAtVertices ||
+       family.lights.highlightsNeedShininess || family.darkBackFaces || family.lights.halfVector.given()))
+    return "lights.clamped, lights.viewer, lights.half_vector, lights.highlights_need_shininess and "
+           "normals.dark_back_faces are for the model phong";
   return "";
 }
 
@@ -133,6 +134,24 @@ std::string mistakeInPulling(const Family& family) {
 
 std::string mistakeInVolume(const Family& family) {
   return family.volume.given() && family.code.empty() ? "volumes need match.code" : "";
+}
+
+/// Functions are those of known code; they give the viewer of lights without a position.
+std::string mistakeInFunctions(const Family& family) {
+  const bool sight = !family.linesOfSight.empty();
+  if (sight && (family.code.empty() || family.eyeFromObject.empty() || !family.viewer.empty()))
+    return "transform.lines_of_sight needs match.code and transform.eye_from_object, without "
+           "transform.viewer";
+  if (sight && (!family.lights.position.empty() || family.lights.halfVector.given() || family.fog.given() ||
+                family.impostors.given() || family.model == Family::Model::pbr))
+    return "transform.lines_of_sight is for surfaces whose lights have directions";
+  if (!family.eyeAgain.empty() && family.eyeFromObject.empty())
+    return "transform.eye_again needs transform.eye_from_object";
+  if (family.derivedNormals && (family.eyeFromObject.empty() || !family.normal.empty()))
+    return "normals.by_derivatives needs transform.eye_from_object, without vertex.normal";
+  if (family.windowFromPixels.empty() != family.clipWindow.empty())
+    return "clip.window and clip.window_from_pixels need each other";
+  return "";
 }
 
 std::string mistakeInVertexNormals(const Family& family) {
@@ -185,8 +204,8 @@ std::string missingKey(const Family& family) {
 
 std::string mistakeIn(const Family& family) {
   if (const std::string key = missingKey(family); !key.empty()) return " needs " + key;
-  for (const auto& look : {mistakeInBuiltIns, mistakeInPulling, mistakeInVolume, mistakeInVertexNormals,
-                           mistakeInLook, mistakeInImpostors})
+  for (const auto& look : {mistakeInBuiltIns, mistakeInPulling, mistakeInVolume, mistakeInFunctions,
+                           mistakeInVertexNormals, mistakeInLook, mistakeInImpostors})
     if (const std::string mistake = look(family); !mistake.empty()) return ": " + mistake;
   return "";
 }

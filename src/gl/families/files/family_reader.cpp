@@ -33,6 +33,7 @@ void FamilyReader::read(const std::vector<std::shared_ptr<const Family>>& known)
   section("clip", [&] {
     name("planes", family_.clipPlanes), name("count", family_.clipPlaneCount);
     flag("centers", family_.clipCenters);
+    name("window", family_.clipWindow), name("window_from_pixels", family_.windowFromPixels);
   });
   section("depth", [&] { value("offset", family_.depthOffset), value("factor", family_.depthFactor); });
   section("edges", [&] { readEdges(); });
@@ -120,6 +121,8 @@ void FamilyReader::readTransform() {
   names("clip_from_object", family_.clipFromObject);
   names("eye_from_object", family_.eyeFromObject);
   name("viewer", family_.viewer);
+  name("lines_of_sight", family_.linesOfSight);
+  names("eye_again", family_.eyeAgain);
   name("normal_matrix", family_.normalMatrix);
 }
 
@@ -130,6 +133,7 @@ void FamilyReader::readNormals() {
   flag("dark_back_faces", family_.darkBackFaces);
   flag("flip_triangles", family_.flipsTriangles);
   flag("face_viewer", family_.facesViewer);
+  flag("by_derivatives", family_.derivedNormals);
   using Unit = scene::FragmentShading::UnitNormals;
   choice(
       "unit",

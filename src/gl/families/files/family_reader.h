@@ -36,6 +36,7 @@ class FamilyReader : FamilyTable {
   void readMaterial(FamilyMaterial& m);
   void readLights();
   void readHighlights();
+  void readLightViewer();
   /// Adds the variables of named lights to those that the family mentions.
   void mentionNamedLights();
   void readPbr();

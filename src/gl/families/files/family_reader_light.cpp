@@ -54,7 +54,8 @@ void FamilyReader::readHighlights() {
   choice("highlights", {{"lit", false}, {"everywhere", true}}, l.highlightsInDark);
   lightValues("specular_color", l.specularColor);
   lightValues("shininess", l.shininess);
-  choice("viewer", {{"here", false}, {"infinite", true}}, l.infiniteViewer);
+  readLightViewer();
+  flag("highlights_need_shininess", l.highlightsNeedShininess);
   value("half_vector", l.halfVector);
   using HighlightColor = FamilyLights::HighlightColor;
   choice("highlight_color",
@@ -62,6 +63,15 @@ void FamilyReader::readHighlights() {
           {"base", HighlightColor::base},
           {"complement", HighlightColor::complement}},
          l.highlightColor);
+}
+
+void FamilyReader::readLightViewer() {
+  FamilyLights& l = family_.lights;
+  enum class Viewer { here, infinite, vertices };
+  Viewer viewer = l.infiniteViewer ? Viewer::infinite : l.viewerAtVertices ? Viewer::vertices : Viewer::here;
+  choice("viewer", {{"here", Viewer::here}, {"infinite", Viewer::infinite}, {"vertices", Viewer::vertices}},
+         viewer);
+  l.infiniteViewer = viewer == Viewer::infinite, l.viewerAtVertices = viewer == Viewer::vertices;
 }
 
 void FamilyReader::mentionNamedLights() {

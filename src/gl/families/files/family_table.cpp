@@ -7,6 +7,8 @@
 namespace gluray::gl {
 namespace {
 
+constexpr std::string_view kTimes = " * ";  // between the names of a product
+
 /// Calls add() for each node of a list, or for `node` itself.
 template <class Add>
 void eachOf(const toml::node& node, Add&& add) {
@@ -100,9 +102,24 @@ void FamilyTable::value(const char* key, FamilyValue& out) {
   if (const toml::node* node = get(key)) out = valueIn(key, *node);
 }
 
+/// The product of several names.
+FamilyValue FamilyTable::productIn(std::string_view text) {
+  FamilyValue value;
+  for (size_t end = 0; end != std::string_view::npos; text.remove_prefix(end + kTimes.size())) {
+    end = text.find(kTimes);
+    std::string name(text.substr(0, end));
+    mention(name);
+    (value.uniform.empty() ? value.uniform : value.factors.emplace_back()) = std::move(name);
+    if (end == std::string_view::npos) break;
+  }
+  return value;
+}
+
 FamilyValue FamilyTable::valueIn(const char* key, const toml::node& node) {
   FamilyValue value;
   const toml::array* list = node.as_array();
+  if (const auto text = node.value_exact<std::string>(); text && text->find(kTimes) != std::string::npos)
+    return productIn(*text);
   if (list ? !list->empty() && list->front().is_string() : node.is_string())
     value.uniform = nameIn(key, node);
   else

@@ -7,6 +7,7 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,7 @@ class FamilyTable {
   /// Records that the family mentions `name`. For an element or a component, also records the whole variable.
   void mention(const std::string& name);
   /// A uniform's name or list of alternatives, a number, or a list of numbers. A name may end with a
-  /// component ("ambient.r").
+  /// component ("ambient.r"). A text may be a product of names ("tint * fade.a").
   void value(const char* key, FamilyValue& out);
   /// A list of uniforms' names or numbers, or one of these.
   void eachValue(const char* key, std::vector<FamilyValue>& out);
@@ -113,6 +114,7 @@ class FamilyTable {
     }
     fail(at(key), std::string(key) + " must be one of: " + all);
   }
+  FamilyValue productIn(std::string_view text);
   FamilyValue valueIn(const char* key, const toml::node& node);
   std::string nameIn(const char* key, const toml::node& node);
   std::vector<float> numbersIn(const char* key, const toml::node& node, size_t most);

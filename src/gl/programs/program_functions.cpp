@@ -1,4 +1,4 @@
-#include "gl/volumes/program_functions.h"
+#include "gl/programs/program_functions.h"
 
 #include <GL/glext.h>
 
@@ -51,6 +51,18 @@ std::optional<glm::dmat4> matrixOf(const KnownProgram& known, const UniformReade
   try {
     return function.shader->matrixOf(function.name, inputs);
   } catch (const std::runtime_error&) { return std::nullopt; }
+}
+
+std::optional<glm::dmat4> productOf(const KnownProgram& known, const UniformReader& uniforms,
+                                    const std::vector<std::string>& names) {
+  if (names.empty()) return std::nullopt;
+  glm::dmat4 product(1);
+  for (const std::string& name : names) {
+    const auto matrix = name.starts_with('$') ? matrixOf(known, uniforms, name) : uniforms.product({name});
+    if (!matrix) return std::nullopt;
+    product = product * *matrix;
+  }
+  return product;
 }
 
 }  // namespace gluray::gl

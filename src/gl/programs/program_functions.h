@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gluray::gl {
 
@@ -22,5 +23,10 @@ NamedFunction functionOf(const KnownProgram& known, const std::string& placehold
 /// understood.
 std::optional<glm::dmat4> matrixOf(const KnownProgram& known, const UniformReader& uniforms,
                                    const std::string& placeholder);
+
+/// Product of matrices from left to right, each of a uniform or, where the name is a placeholder, of a
+/// function. nullopt if there are no names, a uniform is not active, or a function is not understood.
+std::optional<glm::dmat4> productOf(const KnownProgram& known, const UniformReader& uniforms,
+                                    const std::vector<std::string>& names);
 
 }  // namespace gluray::gl
