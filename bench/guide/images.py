@@ -29,7 +29,7 @@ OWN = []  # the program without GLuRay
 # The scene of each picture (bench/guide/scenes.py).
 SCENES = {
     "presentation": "head", "figure": "bars", "poster": "bars_detail", "streamlines": "star", "molecule": "helix", "metal": "bearing", "outdoor": "mountains",
-    "honest": "cut", "volume": "orbital", "ospray": "impact_side_lit", "draft": "impact", "quality": "helix_detail", "occlusion": "streamlines", "key": "impact", "paths": "impact",
+    "honest": "cut", "volume": "orbital", "ospray": "impact_side_lit", "draft": "impact", "quality": "helix_detail", "occlusion": "tubes", "key": "impact", "paths": "impact",
     "balls": "balls", "ground": "bearing", "catcher": "head_from_afar", "lens": "helix_along",
 }
 WITHOUT_OWN = {"draft", "quality"}  # show the commands' pictures alone

@@ -13,6 +13,11 @@ from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 HEAD = "/usr/share/mricron/templates/ch2better.nii.gz"
 
 
+def raise_by(renderer, share):
+    """Moves the picture up by this share of half its height."""
+    renderer.GetActiveCamera().SetWindowCenter(0, -share)
+
+
 def head(renderer):
     """The brain of a head scan."""
     reader, smooth, surface = vtk.vtkNIFTIImageReader(), vtk.vtkImageGaussianSmooth(), vtk.vtkFlyingEdges3D()
@@ -45,7 +50,7 @@ def cut(renderer):
     add(renderer, mapper)
     bar = vtk.vtkScalarBarActor()
     bar.SetLookupTable(mapper.GetLookupTable()), bar.SetTitle("value"), bar.SetNumberOfLabels(4)
-    bar.SetPosition(0.86, 0.12), bar.SetWidth(0.12), bar.SetHeight(0.76), bar.SetLabelFormat("%.0f")
+    bar.SetPosition(0.86, 0.12), bar.SetWidth(0.12), bar.SetHeight(0.76), bar.SetLabelFormat("%.0f"), bar.SetVerticalTitleSeparation(12)
     for text in (bar.GetLabelTextProperty(), bar.GetTitleTextProperty()):
         text.SetColor(0, 0, 0), text.ItalicOff(), text.ShadowOff(), text.BoldOff()
     renderer.AddActor2D(bar)
@@ -66,12 +71,14 @@ def bars(renderer):
     floor = vtk.vtkCubeSource()
     floor.SetBounds(-3.3, 3.3, -3.3, 3.3, -0.12, 0)
     add(renderer, mapped(floor), (0.9, 0.9, 0.9))
-    return (-0.5, -1.0, 0.95), (0, 0, 1), 1.04
+    raise_by(renderer, 0.25)
+    return (-0.5, -1.0, 0.95), (0, 0, 1), 1.25
 
 
 def bars_detail(renderer):
     """A part of the histogram, as in a large print."""
     bars(renderer)
+    raise_by(renderer, 0)
     return (-0.5, -1.0, 0.95), (0, 0, 1), 3.2
 
 
@@ -97,7 +104,7 @@ def helix(renderer):
         ball.SetRadius(radius), ball.SetThetaResolution(48), ball.SetPhiResolution(32)
         glyph.SetInputData(data), glyph.SetSourceConnection(ball.GetOutputPort()), glyph.ScalingOff()
         add(renderer, mapped(glyph), color)
-    return (1, -0.25, 0.1), (0.2, 1, 0.9), 1.27
+    return (1, -0.25, 0.1), (0.2, 1, 0.9), 1.2
 
 
 def helix_along(renderer):
@@ -111,6 +118,12 @@ def helix_detail(renderer):
     """A part of the double helix."""
     towards, up, _ = helix(renderer)
     return towards, up, 3.66
+
+
+def tubes(renderer):
+    """Tubes along streamlines, all of them inside the picture."""
+    towards, up, zoom = streamlines(renderer)
+    return towards, up, 0.92 * zoom
 
 
 def mountains(renderer):
@@ -131,7 +144,8 @@ def mountains(renderer):
     for i in range(256):
         table.SetTableValue(i, *function.GetColor(i / 255))
     add(renderer, mapped(data, (0.72, 2.4), table))
-    return (0.35, -1, 0.6), (0, 0, 1), 1.42
+    raise_by(renderer, 0.08)
+    return (0.35, -1, 0.6), (0, 0, 1), 1.3
 
 
 def bearing(renderer):
@@ -192,11 +206,13 @@ def impact_side_lit(renderer):
     """The impact under a light of the program that stands at the side, with some ambient light."""
     place = impact(renderer)
     light = vtk.vtkLight()
-    light.SetLightTypeToSceneLight(), light.SetPosition(-6, -3, 5), light.SetFocalPoint(0, 0, 0)
+    light.SetLightTypeToSceneLight(), light.SetPosition(-4, -4, 9), light.SetFocalPoint(0, 0, 0)
     renderer.AddLight(light)
     for actor in renderer.GetActors():
-        actor.GetProperty().SetAmbient(0.35), actor.GetProperty().SetAmbientColor(actor.GetProperty().GetColor()), actor.GetProperty().SetDiffuse(0.75)
-    return place
+        actor.GetProperty().SetAmbient(0.35), actor.GetProperty().SetAmbientColor(actor.GetProperty().GetColor()), actor.GetProperty().SetDiffuse(0.65)
+    raise_by(renderer, 0.2)
+    towards, up, zoom = place
+    return towards, up, 1.15 * zoom
 
 
 def balls(renderer):
@@ -234,10 +250,11 @@ def orbital(renderer):
     volume.SetMapper(mapper), volume.SetProperty(look)
     renderer.AddVolume(volume)
     table = vtk.vtkDiskSource()
-    table.SetInnerRadius(0), table.SetOuterRadius(40), table.SetCircumferentialResolution(200)
-    add(renderer, mapped(table), (0.86, 0.84, 0.80))
+    table.SetInnerRadius(0), table.SetOuterRadius(64), table.SetCircumferentialResolution(200)
+    add(renderer, mapped(table), (0.9, 0.88, 0.84), Ambient=0.4, Diffuse=0.6)
     renderer.GetActors().GetLastActor().SetPosition(0, 0, -34)
-    return (0.5, -1.0, 0.6), (0, 0, 1), 1.3
+    raise_by(renderer, 0.16)
+    return (0.5, -1.0, 0.75), (0, 0, 1), 1.6
 
 
-SCENES = {f.__name__: f for f in (orbital, head, head_from_afar, bars, bars_detail, cut, star, helix, helix_along, helix_detail, streamlines, mountains, bearing, impact, impact_side_lit, balls)}
+SCENES = {f.__name__: f for f in (orbital, head, head_from_afar, bars, bars_detail, cut, star, helix, helix_along, helix_detail, tubes, mountains, bearing, impact, impact_side_lit, balls)}

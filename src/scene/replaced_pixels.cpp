@@ -119,6 +119,72 @@ uint32_t exchanged(uint32_t shown, uint32_t before, uint32_t now) {
   return color;
 }
 
+/// A pixel that an image covers in full, with the edges of later images that were blended over it.
+class BlendedPixel {
+ public:
+  BlendedPixel(uint32_t color, float depth) : depth_(depth) {
+    for (int c = 0; c < kChannels; ++c)
+      color_[static_cast<size_t>(c)] = static_cast<float>(channelOf(color, c));
+  }
+  /// Blends the later image's pixel at (x, y) of the framebuffer, if it passes the depth test.
+  void blend(const Image& over, bool largestWins, int x, int y) {
+    const int u = x - over.x, v = y - over.y;
+    if (u < 0 || v < 0 || u >= over.width || v >= over.height || over.samples != 1) return;
+    const auto i = static_cast<size_t>(v) * static_cast<size_t>(over.width) + static_cast<size_t>(u);
+    const float depth = over.depth[i];
+    if (depth == Image::kMiss || (largestWins ? depth < depth_ : depth > depth_)) return;
+    const float through = 1 - static_cast<float>(over.isAverages() ? alphaOf(over.color[i]) : 255) / 255;
+    for (int c = 0; c < kChannels; ++c) {
+      float& color = color_[static_cast<size_t>(c)];
+      color = static_cast<float>(channelOf(over.color[i], c)) + through * color;
+    }
+    through_ *= through, ++blends_;
+    const float written = over.isAverages() ? over.centerDepth[i] : depth;
+    if (written != Image::kMiss) depth_ = written;
+  }
+  bool isShown(const ShownPixels& shown, size_t pixel) const {
+    if (blends_ == 0 || through_ <= 0) return false;
+    for (int c = 0; c < kChannels; ++c)  // each blend rounds
+      if (std::abs(color_[static_cast<size_t>(c)] - static_cast<float>(channelOf(shown.colors[pixel], c))) >
+          static_cast<float>(blends_))
+        return false;
+    return shown.depths.empty() || std::abs(depth_ - shown.depths[pixel]) <= shown.depthStep;
+  }
+  /// The shown colour after the image below was replaced.
+  uint32_t replaced(uint32_t shown, uint32_t before, uint32_t now) const {
+    uint32_t color = shown & 0xff000000u;
+    for (int c = 0; c < kChannels; ++c) {
+      const auto change = static_cast<float>(channelOf(now, c) - channelOf(before, c));
+      const int value = channelOf(shown, c) + static_cast<int>(std::lround(through_ * change));
+      color |= static_cast<uint32_t>(std::clamp(value, 0, 255)) << (8 * c);
+    }
+    return color;
+  }
+  float depth() const { return depth_; }
+
+ private:
+  std::array<float, kChannels> color_{};
+  float depth_, through_ = 1;
+  int blends_ = 0;
+};
+
+/// Replaces a pixel that shows `written` under later images. Returns whether it does.
+bool replaceBlended(const Image& written, const Image& now, const ShownPixels& shown,
+                    const LaterImages& later, size_t pixel, Image& out) {
+  using Share = Covering::Share;
+  if (written.samples != 1 || coveringOf(written, pixel).share != Share::whole ||
+      coveringOf(now, pixel).share != Share::whole)
+    return false;
+  const int x = written.x + static_cast<int>(pixel) % written.width,
+            y = written.y + static_cast<int>(pixel) / written.width;
+  BlendedPixel blended(written.color[pixel], written.depth[pixel]);
+  for (const auto& part : later.parts) blended.blend(*part, later.largestWins, x, y);
+  if (!blended.isShown(shown, pixel)) return false;
+  out.color[pixel] = blended.replaced(shown.colors[pixel], written.color[pixel], now.color[pixel]);
+  out.depth[pixel] = blended.depth();
+  return true;
+}
+
 }  // namespace
 
 Image writtenPart(const Image& image) {
@@ -144,7 +210,8 @@ Image writtenPart(const Image& image) {
   return part;
 }
 
-size_t findReplaced(const Image& written, const Image& now, const ShownPixels& shown, Image& out) {
+size_t findReplaced(const Image& written, const Image& now, const ShownPixels& shown, Image& out,
+                    const LaterImages& later) {
   const auto pixels = static_cast<size_t>(written.width) * static_cast<size_t>(written.height);
   out.x = written.x, out.y = written.y;
   out.resize(written.width, written.height, written.samples);
@@ -157,7 +224,10 @@ size_t findReplaced(const Image& written, const Image& now, const ShownPixels& s
   const Comparison comparison(written, shown);
   size_t count = 0;
   for (size_t pixel = 0; pixel < pixels; ++pixel) {
-    if (!comparison.isShown(pixel)) continue;
+    if (!comparison.isShown(pixel)) {
+      count += !later.parts.empty() && replaceBlended(written, now, shown, later, pixel, out);
+      continue;
+    }
     ++count;
     for (size_t i = pixel; i < out.depth.size(); i += pixels) {
       if (written.depth[i] == Image::kMiss || now.depth[i] == Image::kMiss) continue;

@@ -5,6 +5,8 @@
 #include "scene/snapshot.h"
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace gluray::scene {
@@ -21,13 +23,22 @@ struct ShownPixels {
   float depthStep = 0;           // depths that differ by at most this are equal
 };
 
+/// Images that were written later over the same view.
+struct LaterImages {
+  std::span<const std::shared_ptr<const Image>> parts = {};  // by writtenPart(), in the order of drawing
+  bool largestWins = false;                                  // larger depths are nearer
+};
+
 /// Makes `out` the image that must be written, without a blend, so that the framebuffer shows `now` where it
 /// shows `written`; it misses elsewhere. Both are parts as writtenPart() returns them; `shown` is in the
 /// rectangle of `written`. Pixels count as shown where colours (alpha does not count) and depths are equal.
 /// Pixels that a surface covers in part count where their colours can hold the surface's, and one of the
-/// eight neighbours is covered in full and shown. Several samples: a depth test for equality must protect
-/// those of other surfaces. Throws std::bad_alloc. Returns the number of pixels to be written.
-size_t findReplaced(const Image& written, const Image& now, const ShownPixels& shown, Image& out);
+/// eight neighbours is covered in full and shown. Pixels over which later averages were blended count where
+/// their colours and depths are those of the blend; they keep the share of the later images, and their depth
+/// is the one of the blend. Several samples: a depth test for equality must protect those of other surfaces.
+/// Throws std::bad_alloc. Returns the number of pixels to be written.
+size_t findReplaced(const Image& written, const Image& now, const ShownPixels& shown, Image& out,
+                    const LaterImages& later = {});
 
 /// Replaces `before` by `now` in the colours over which layers are drawn that cover `region`, where those
 /// show `before`. Throws std::bad_alloc.

@@ -99,5 +99,43 @@ TEST(ReplacedPixels, AveragesKeepTheirShareOfWhatIsBelow) {
   EXPECT_EQ(out.color[1], kNew);
 }
 
+/// One pixel at (12, 21) that covers half of what is below, in the colour (0x40, 0x20, 0).
+std::shared_ptr<const Image> edgeAt(float depth, bool center) {
+  Image edge;
+  edge.x = 12, edge.y = 21;
+  edge.resize(1, 1, 1, Image::kColorDepth | Plane::centerDepth);
+  edge.color[0] = 0x80002040u, edge.depth[0] = depth, edge.centerDepth[0] = center ? depth : Image::kMiss;
+  return std::make_shared<const Image>(edge);
+}
+
+TEST(ReplacedPixels, ShareOfWhatIsBelowLaterEdgesIsReplaced) {
+  const Image before = writtenPart(imageOf(kOld)), now = writtenPart(imageOf(kNew));
+  for (const bool center : {false, true}) {
+    const std::vector<std::shared_ptr<const Image>> edges{edgeAt(0.4f, center)};
+    ShownPixels shown = shownOf(before, kOld);
+    shown.colors[4] = 0xff082f58u;  // the edge over half of the old colour
+    if (center) shown.depths[4] = 0.4f;
+    Image out;
+    EXPECT_EQ(findReplaced(before, now, shown, out), 8u);
+    EXPECT_EQ(findReplaced(before, now, shown, out, {edges}), 9u);
+    EXPECT_EQ(out.color[4], 0xff204770u);
+    EXPECT_EQ(out.depth[4], center ? 0.4f : 0.5f);
+  }
+}
+
+TEST(ReplacedPixels, OtherColoursAndDepthsThanThoseOfLaterEdgesStay) {
+  const Image before = writtenPart(imageOf(kOld)), now = writtenPart(imageOf(kNew));
+  const std::vector<std::shared_ptr<const Image>> near{edgeAt(0.4f, false)}, behind{edgeAt(0.6f, false)};
+  ShownPixels shown = shownOf(before, kOld);
+  shown.colors[4] = 0xff0a2f58u;  // something else was drawn
+  Image out;
+  EXPECT_EQ(findReplaced(before, now, shown, out, {near}), 8u);
+  shown.colors[4] = 0xff082f58u;
+  EXPECT_EQ(findReplaced(before, now, shown, out, {behind}), 8u) << "the edge was not drawn";
+  EXPECT_EQ(findReplaced(before, now, shown, out, {behind, true}), 9u) << "larger depths are nearer";
+  shown.depths[4] = 0.3f;
+  EXPECT_EQ(findReplaced(before, now, shown, out, {near}), 8u);
+}
+
 }  // namespace
 }  // namespace gluray::scene

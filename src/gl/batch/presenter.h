@@ -19,7 +19,9 @@
 #include <GL/gl.h>
 #include <glm/glm.hpp>
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,8 +50,9 @@ struct PresentTarget {
 
 /// An image that was written with other light than its view has.
 struct RelightTarget {
-  const Image& written;  // PresentResult::written
-  bool core = false;     // core profile
+  const Image& written;                                      // PresentResult::written
+  std::span<const std::shared_ptr<const Image>> later = {};  // the same of images written over it since
+  bool core = false;                                         // core profile
   ImageWish wish = {};
 };
 

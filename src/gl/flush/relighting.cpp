@@ -101,8 +101,8 @@ std::optional<Relighting::Replaced> Relighting::relight(ViewScenes::Outdated one
   ImageWish wish = p_.clock.wish();
   wish.anew = true;
   p_.shadow.current.shelve(p_.shadow.real);
-  const PresentResult result = p_.pending.presenter.relight(p_.shadow.real, one.before, one.now,
-                                                            {*one.written, p_.shadow.info.core, wish});
+  const PresentResult result = p_.pending.presenter.relight(
+      p_.shadow.real, one.before, one.now, {*one.written, one.later, p_.shadow.info.core, wish});
   p_.pending.takeResult(result);
   // Where it failed, the picture keeps the light that it has.
   if (result.outcome != PresentResult::traced) return std::nullopt;

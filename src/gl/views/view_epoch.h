@@ -45,6 +45,13 @@ struct ViewEpoch {
     return std::any_of(batches.begin(), batches.end(),
                        [](const Drawn& drawn) { return !drawn.snapshot->volumes.empty(); });
   }
+  /// Drawn::written of the batches after number `i`, where they have it.
+  std::vector<std::shared_ptr<const Image>> writtenAfter(size_t i) const {
+    std::vector<std::shared_ptr<const Image>> found;
+    while (++i < batches.size())
+      if (batches[i].written) found.push_back(batches[i].written);
+    return found;
+  }
   const scene::Snapshot& first() const { return *batches.front().snapshot; }
 };
 

@@ -193,7 +193,7 @@ std::vector<ViewScenes::Outdated> ViewScenes::outdated(GLuint framebuffer) noexc
         const scene::SnapshotPtr now = relitOf(epoch, i, extents_);
         const bool isOver = !found.empty() && now->layers && now->layers->of == scene::Layers::Of::drawn;
         if (now != drawn.snapshot || isOver)
-          found.push_back({epoch.drawBuffer, drawn.snapshot, now, drawn.written});
+          found.push_back({epoch.drawBuffer, drawn.snapshot, now, drawn.written, epoch.writtenAfter(i)});
       }
     }
   } catch (const std::exception&) { forget(); }

@@ -51,9 +51,10 @@ class ViewScenes {
   /// A batch whose view holds other surfaces than it was lit with.
   struct Outdated {
     GLenum drawBuffer;
-    scene::SnapshotPtr before;             // as it was traced
-    scene::SnapshotPtr now;                // equal, but for its secondary scene
-    std::shared_ptr<const Image> written;  // PresentResult::written
+    scene::SnapshotPtr before;                        // as it was traced
+    scene::SnapshotPtr now;                           // equal, but for its secondary scene
+    std::shared_ptr<const Image> written;             // PresentResult::written
+    std::vector<std::shared_ptr<const Image>> later;  // the same of the view's later batches
   };
   /// The framebuffers with views to which batches were added since outdated() looked at them.
   std::vector<GLuint> unchecked() const;

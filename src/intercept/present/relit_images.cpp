@@ -46,7 +46,8 @@ PresentResult TracingPresenter::relit(const gl::RealGl& real, const scene::Snaps
   if (!traced) return result;
   const double start = nowSeconds();
   auto written = std::make_shared<const Image>(scene::writtenPart(traced->image));
-  if (scene::findReplaced(target.written, *written, shown, replaced_) > 0) {
+  const scene::LaterImages later{target.later, now->camera.largestWins};
+  if (scene::findReplaced(target.written, *written, shown, replaced_, later) > 0) {
     WriteBackTarget into{.depthFunc = GL_EQUAL,
                          .depths = target.written.samples > 1,
                          .colorWrites = now->colorWrites,

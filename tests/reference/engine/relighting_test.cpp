@@ -64,6 +64,24 @@ TEST(Relighting, WhatWasDrawnOverAnImageStaysWhenItIsLitAgain) {
   EXPECT_GE(green, kLitViewSize / 2);
 }
 
+TEST(Relighting, EdgesOfLaterImagesShowTheNewLightOfWhatIsBelow) {
+  const Step card = [](Gl gl) {
+    gl.Color4f(1, 0.2f, 0.2f, 1);
+    quad(gl, {-0.5f, -0.45f, -0.3f}, {0.8f, -0.6f, -0.3f}, {0.7f, 0.55f, -0.3f}, {-0.6f, 0.6f, -0.3f});
+  };
+  Settings settings = coarseAo();
+  settings.spp = 4;
+  LitProgram program(settings);
+  const DrawnImage first = program.frame({floor, kSplit, card, kSplit, wall});
+  EXPECT_GT(program.statistics().imagesRelit, 0u) << "the floor was traced before the card was known";
+  const DrawnImage known = program.frame({floor, kSplit, card, kSplit, wall});
+  for (size_t i = 0; i < first.colors.size(); ++i)
+    for (const int shift : {0, 8, 16})
+      EXPECT_NEAR(static_cast<int>(first.colors[i] >> shift & 255),
+                  static_cast<int>(known.colors[i] >> shift & 255), 1)
+          << i << ": blends round";
+}
+
 TEST(Relighting, AnErasedSurfaceGivesNoShade) {
   // The program removes the wall, which lies in the right half, and draws the floor there again.
   const Step erase = [](Gl gl) {
