@@ -2,15 +2,12 @@
 
 mesh_states.py GROUP FILE [STATE ...]  draws the states of a group, "traced" or "untraced", into a file of numpy
 """
-import sys
-
 import numpy as np
-from vispy import app, scene
+from drawing import main
+from vispy import scene
 from vispy.geometry import create_sphere
 from vispy.visuals import filters
 
-SIZE = (240, 200)
-KEPT = []  # canvases: vispy would delete what belongs to them while another one is drawn
 ORANGE = (0.9, 0.6, 0.3, 1)
 
 
@@ -140,26 +137,5 @@ def groups():
     return {"traced": STATES | (NEWER if newer else {}), "untraced": UNTRACED if newer else {}}
 
 
-def picture(draw):
-    canvas = scene.SceneCanvas(keys=None, size=SIZE, show=True, bgcolor=(0.2, 0.3, 0.4, 1))
-    draw(canvas, canvas.central_widget.add_view())
-    canvas.app.process_events()
-    image = canvas.render()
-    canvas.close()
-    KEPT.append(canvas)
-    return image
-
-
-def main(group, names, file):
-    chosen = groups()[group]
-    if not file:
-        return print("\n".join(chosen))
-    np.savez(file, **{name: picture(chosen[name]) for name in (names or chosen)})
-
-
 if __name__ == "__main__":
-    try:
-        app.use_app("pyqt6")
-    except (ValueError, RuntimeError):  # version 0.6 knows no Qt 6
-        app.use_app("pyqt5")
-    main(sys.argv[1], [name for name in sys.argv[3:]], sys.argv[2] if len(sys.argv) > 2 else None)
+    main(groups())
