@@ -100,19 +100,16 @@ void occludeImpostors(const RTCOccludedFunctionNArguments* arguments) {
   uint32_t lanes = lanesAsked(a, 0);
   const SolidGuess sure = guess(placed, a.primID, a.ray, a.N, lanes);
   const uint32_t met = state->filter && state->filter->usesPoints() ? 0 : sure.hits;
-  for (uint32_t hits = met; hits; hits &= hits - 1) {
-    const auto i = static_cast<unsigned>(std::countr_zero(hits));
-    const Occluder occluder{instance, a.primID, 0, 0, {}, static_cast<int>(RTCRayN_id(a.ray, a.N, i))};
+  const auto meetAt = [&](unsigned i, const glm::vec3& point) {
+    const Occluder occluder{instance, a.primID, 0, 0, point, static_cast<int>(RTCRayN_id(a.ray, a.N, i))};
     if (state->blocks(occluder)) RTCRayN_tfar(a.ray, a.N, i) = -std::numeric_limits<float>::infinity();
-  }
+  };
+  for (uint32_t hits = met; hits; hits &= hits - 1) meetAt(static_cast<unsigned>(std::countr_zero(hits)), {});
   for (lanes &= ~(sure.misses | met); lanes; lanes &= lanes - 1) {
     const auto i = static_cast<unsigned>(std::countr_zero(lanes));
     const ObjectRay ray = rayOf(a.ray, a.N, i);
-    const std::optional<SolidHit> hit = meetSolid(placed, a.primID, ray);
-    if (!hit) continue;
-    const Occluder occluder{
-        instance, a.primID, 0, 0, ray.org + hit->t * ray.dir, static_cast<int>(RTCRayN_id(a.ray, a.N, i))};
-    if (state->blocks(occluder)) RTCRayN_tfar(a.ray, a.N, i) = -std::numeric_limits<float>::infinity();
+    if (const std::optional<SolidHit> hit = meetSolid(placed, a.primID, ray))
+      meetAt(i, ray.org + hit->t * ray.dir);
   }
 }
 
