@@ -33,11 +33,19 @@ Planes planesOf(const scene::Snapshot& snapshot, bool averages) {
 
 bool areDrawn(const scene::Layers* layers) { return layers && layers->of == scene::Layers::Of::drawn; }
 
+/// Whether pixels have one sample although the settings ask for more.
+bool movesAliased(const scene::Snapshot& snapshot) {
+  return snapshot.lightSampling.aliased &&
+         snapshot.lightSampling.mode == scene::LightSampling::Mode::moving && !snapshot.layers &&
+         !hasOpenLens(snapshot.settings);
+}
+
 /// Whether pixels average more samples than the framebuffer has. Layers blended with the framebuffer's
 /// colours in the order of drawing use the framebuffer's samples.
 bool wantsAverages(const scene::Snapshot& snapshot) {
   if (areDrawn(snapshot.layers.get())) return false;
   if (isComposed(snapshot)) return true;
+  if (movesAliased(snapshot)) return false;
   return averagesSamples(snapshot.settings, snapshot.samples);
 }
 
@@ -169,7 +177,7 @@ void logUnusedFilter(const scene::Snapshot& snapshot, bool averages) {
   if (samplesPerPixel(snapshot.settings) <= 1)
     log::once(log::Level::warning, "pixel-filter",
               "pixel-filter has no effect: pixels have one sample each (spp = 1)");
-  else if (!averages)
+  else if (!averages && !movesAliased(snapshot))
     log::once(log::Level::warning, "pixel-filter of samples",
               "pixel-filter has no effect on images whose samples are those of the framebuffer: multisampled "
               "ones, and translucent surfaces that are blended in the order of drawing");

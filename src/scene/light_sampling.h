@@ -27,6 +27,9 @@ struct LightSampling {
   static constexpr int kTile = 32;
   /// Of a moving frame: uses no visibility of earlier frames, whose scene was another one.
   bool anew = false;
+  /// Of a moving frame without layers and lens: pixels have one sample, whatever the settings, because the
+  /// frame is refined in its window when it rests.
+  bool aliased = false;
   bool operator==(const LightSampling&) const = default;
 };
 

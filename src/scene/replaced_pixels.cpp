@@ -1,5 +1,7 @@
 #include "scene/replaced_pixels.h"
 
+#include "scene/premultiplied.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -219,7 +221,7 @@ size_t findReplaced(const Image& written, const Image& now, const ShownPixels& s
   std::fill(out.depth.begin(), out.depth.end(), Image::kMiss);
   const bool alike = now.x == written.x && now.y == written.y && now.width == written.width &&
                      now.height == written.height && now.samples == written.samples &&
-                     now.isAverages() == written.isAverages();
+                     (now.isAverages() || !written.isAverages());
   if (!alike || shown.colors.size() != pixels) return 0;
   const Comparison comparison(written, shown);
   size_t count = 0;
@@ -232,7 +234,14 @@ size_t findReplaced(const Image& written, const Image& now, const ShownPixels& s
     for (size_t i = pixel; i < out.depth.size(); i += pixels) {
       if (written.depth[i] == Image::kMiss || now.depth[i] == Image::kMiss) continue;
       const bool blends = written.isAverages() && alphaOf(written.color[i]) != 255;
-      out.color[i] = blends ? exchanged(shown.colors[pixel], written.color[i], now.color[i]) : now.color[i];
+      if (blends)
+        out.color[i] = exchanged(shown.colors[pixel], written.color[i], now.color[i]);
+      else if (written.isAverages() || !now.isAverages())
+        out.color[i] = now.color[i];
+      else if (alphaOf(now.color[i]) == 0)
+        continue;
+      else
+        out.color[i] = opaque(now.color[i]);
       out.depth[i] = now.depth[i];
     }
   }

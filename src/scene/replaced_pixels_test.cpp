@@ -64,6 +64,19 @@ TEST(ReplacedPixels, AnotherShapeReplacesNothing) {
 }
 
 /// The mean of two samples of which one misses, over black: half of the colour.
+TEST(ReplacedPixels, AveragesReplaceSinglesWithTheirWholeColor) {
+  const Image before = writtenPart(imageOf(kOld));
+  Image now = writtenPart(imageOf(kNew));
+  now.planes = now.planes | Plane::centerDepth, now.centerDepth = now.depth;
+  now.color[3] = 0x80202830u, now.color[4] = 0;
+  Image out;
+  EXPECT_EQ(findReplaced(before, now, shownOf(before, kOld), out), 9u);
+  EXPECT_EQ(out.color[2], kNew);
+  EXPECT_EQ(out.color[3], 0xff405060u);
+  EXPECT_EQ(out.depth[4], Image::kMiss);
+  EXPECT_EQ(findReplaced(now, before, shownOf(before, kOld), out), 0u) << "edges would lose their shape";
+}
+
 TEST(ReplacedPixels, EdgesFollowTheirNeighbours) {
   Image old = imageOf(kOld, 2), next = imageOf(kNew, 2);
   for (Image* image : {&old, &next}) image->depth[1] = Image::kMiss;  // the first pixel's first sample

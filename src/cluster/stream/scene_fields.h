@@ -48,8 +48,8 @@ void fields(auto& archive, Like<scene::Layers> auto& value) {
   archive(of, opaqueDepth, tolerance, peels, colors, floatColors, halfFloats, blending, depthSteps);
 }
 void fields(auto& archive, Like<scene::LightSampling> auto& value) {
-  auto& [mode, pass, tiles, anew] = value;
-  archive(mode, pass, tiles, anew);
+  auto& [mode, pass, tiles, anew, aliased] = value;
+  archive(mode, pass, tiles, anew, aliased);
 }
 void fields(auto& archive, Like<scene::Backdrop> auto& value) {
   auto& [isClear] = value;

@@ -54,7 +54,7 @@ void FrameImages::wrote(const scene::SnapshotPtr& snapshot, const ImageCache::Ca
     IdleImage one{snapshot, cached.id, {pixels.x, pixels.y}, {pixels.width, pixels.height}, pixels.color};
     if (how) one.resolve = *how;
     takeBackPasses();
-    one.mixed = mixedPixels(pixels), one.hits = hitPixels(pixels);
+    one.mixed = mixedPixels(pixels), one.hits = hitPixels(pixels), one.averages = pixels.isAverages();
     one.colors.resize(static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));
     written_.push_back(std::move(one));
   } catch (const std::exception&) { tooMany_ = true; }  // out of memory: the frame keeps its noise
@@ -82,14 +82,18 @@ void FrameImages::refineWhileIdle(const std::function<std::shared_ptr<IdleWindow
   const bool refines = !written_.empty() && !tooMany_;
   shown_ = rests_ = false;
   if (!open) {
-    forget();
+    forget(), inWindow_ = false;
     return idle_ ? idle_->start(nullptr) : void();
   }
   try {
     std::unique_ptr<IdleFrame> frame;
-    if (refines && read_) frame = read_->lend(open());
-    if (refines && !read_)
-      frame = std::make_unique<IdleFrame>(takePasses(std::move(written_)), open(), std::move(antialiased_));
+    if (refines) {
+      std::shared_ptr<IdleWindow> window = open();
+      inWindow_ = window != nullptr;
+      frame = read_ ? read_->lend(std::move(window))
+                    : std::make_unique<IdleFrame>(takePasses(std::move(written_)), std::move(window),
+                                                  std::move(antialiased_));
+    }
     forget();
     if (refines && !idle_) idle_ = std::make_unique<IdleRefiner>(tracer_, kQuiet);
     if (idle_) idle_->start(std::move(frame));

@@ -29,6 +29,8 @@ class FrameImages {
   /// Refines the frame's images in the window of `open` while the renderer is idle. Without a window it
   /// only remembers the images; without `open` it stops remembering.
   void refineWhileIdle(const std::function<std::shared_ptr<IdleWindow>()>& open) noexcept;
+  /// Whether a frame like the last one will be refined in its window, as far as is known.
+  bool restsInWindow() const noexcept { return inWindow_ && idle_ && !idle_->refused(); }
   /// Call when the program draws: stops refining the window.
   void stop() noexcept;
   /// Call when an image of another frame is requested.
@@ -61,6 +63,7 @@ class FrameImages {
   bool tooMany_ = false;               // more than are remembered
   std::unique_ptr<IdleFrame> read_;    // with refinement, once the program has read them
   std::unique_ptr<IdleRefiner> idle_;  // made with the first frame that is refined while idle
+  bool inWindow_ = false;              // that frame has a window
   bool shown_ = false;                 // idle_ has the previous frame
   bool rests_ = false;                 // the program has drawn nothing since that frame was shown
 };

@@ -87,6 +87,41 @@ TEST_F(FrameImagesTest, AreFinishedForReads) {
   EXPECT_EQ(tracer.traces, traces) << "a second read traces nothing";
 }
 
+TEST_F(FrameImagesTest, MoveWithOneSampleWhereTheWindowIsRefined) {
+  scene->settings.spp = 4;
+  std::shared_ptr<ReadWindow> window;
+  const auto movedOn = [&] {
+    scene->eyeFromWorld[3].x += 0.01;
+    for (scene::Instance& instance : scene->instances) instance.eyeFromObject = scene->eyeFromWorld;
+    write();
+    const bool averages = images.imageOf(*scene, {.asShown = true}).cached->image.isAverages();
+    if (window) window = std::make_shared<ReadWindow>(first);
+    images.frame().refineWhileIdle([&] { return window; });
+    return averages;
+  };
+  EXPECT_TRUE(movedOn()) << "not known yet";
+  EXPECT_TRUE(movedOn()) << "a window that is not refined";
+  window = std::make_shared<ReadWindow>(first);
+  EXPECT_TRUE(movedOn());
+  EXPECT_FALSE(movedOn());
+  images.frame().refineWhileIdle({});
+  EXPECT_TRUE(movedOn()) << "without light";
+}
+
+TEST_F(FrameImagesTest, MoveWithAllSamplesWhereTheWindowShowsSomethingElse) {
+  scene->settings.spp = 4;
+  write();
+  WindowPixels other = first;
+  for (uint32_t& color : other.colors) color ^= 0x030303;
+  const uint64_t refused = IdleRefiner::counts().refused;
+  images.frame().refineWhileIdle([&] { return std::make_shared<ReadWindow>(other); });
+  EXPECT_TRUE(images.frame().restsInWindow());
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (IdleRefiner::counts().refused == refused && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_FALSE(images.frame().restsInWindow());
+}
+
 TEST_F(FrameImagesTest, AreFinishedAfterTheyWereShown) {
   write();
   images.frame().refineWhileIdle([] { return nullptr; });

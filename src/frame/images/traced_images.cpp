@@ -147,14 +147,15 @@ ImageCache::CachedImage* TracedImages::known(const scene::Snapshot& snapshot, co
 }
 
 /// Traces a new image in one pass: with all samples, whatever the snapshot asks for, if it is to be `full`.
-bool TracedImages::traceOnce(const scene::Snapshot& snapshot, bool full, bool anew,
+bool TracedImages::traceOnce(const scene::Snapshot& snapshot, bool full, const Wish& wish,
                              ImageCache::CachedImage& cached, Result& result) {
   using Mode = scene::LightSampling::Mode;
   cached.moving = !full && snapshot.lightSampling.mode == Mode::moving;
-  if (!anew && (cached.moving || snapshot.lightSampling.mode == Mode::full))
+  const bool aliased = cached.moving && (wish.anew ? !wish.averages : frame_.restsInWindow());
+  if (!wish.anew && !aliased && (cached.moving || snapshot.lightSampling.mode == Mode::full))
     return tracer_.trace(snapshot, cached.image, result.cost, result.why);
   scene::Snapshot all = snapshot;
-  all.lightSampling.anew = anew;
+  all.lightSampling.anew = wish.anew, all.lightSampling.aliased = aliased;
   if (!cached.moving) all.lightSampling.mode = Mode::full;
   return tracer_.trace(all, cached.image, result.cost, result.why);
 }
@@ -192,7 +193,7 @@ TracedImages::Result TracedImages::imageOf(const scene::Snapshot& snapshot, cons
   fresh.moving = false;
   const bool finished = !ahead && refines && full && finish(snapshot, fresh, result);
   const bool done = finished || (ahead ? ahead_->takeImage(fresh.image, result.cost, result.why)
-                                       : traceOnce(snapshot, full, wish.anew, fresh, result));
+                                       : traceOnce(snapshot, full, wish, fresh, result));
   if (!done) return result;
   if (!finished && !result.cost.elsewhere) paintUnrefined(snapshot, fresh.image);
   if (result.cost.elsewhere) fresh.refined = result.cost.refined;

@@ -34,6 +34,7 @@ class TracedImages {
     bool finished = false;              // light only at the noise of the settings
     bool asShown = false;               // an earlier frame's image without further refinement
     bool anew = false;                  // scene::LightSampling::anew
+    bool averages = true;               // of an image made anew: as many samples as settings ask for
   };
 
   explicit TracedImages(Tracer tracer) : tracer_(std::move(tracer)) {}
@@ -55,8 +56,8 @@ class TracedImages {
  private:
   void tellShown(const scene::Snapshot& snapshot, const ImageCache::CachedImage& cached,
                  const Result& result) noexcept;
-  bool traceOnce(const scene::Snapshot& snapshot, bool full, bool anew, ImageCache::CachedImage& cached,
-                 Result& result);
+  bool traceOnce(const scene::Snapshot& snapshot, bool full, const Wish& wish,
+                 ImageCache::CachedImage& cached, Result& result);
   ImageCache::CachedImage* lastOf(const scene::Snapshot& snapshot,
                                   std::optional<uint32_t> missColor = {}) noexcept;
   ImageCache::CachedImage* recolorable(const scene::Snapshot& snapshot) noexcept;

@@ -1,5 +1,7 @@
 #include "frame/pixels/window_content.h"
 
+#include "scene/premultiplied.h"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -9,22 +11,6 @@ WindowContent plainWindow(glm::ivec2 size, uint32_t color, float depth) {
   const auto pixels = static_cast<size_t>(size.x) * static_cast<size_t>(size.y);
   return {size.x, size.y, std::vector<uint32_t>(pixels, color), std::vector<float>(pixels, depth)};
 }
-
-namespace {
-
-/// Composites premultiplied `over` onto `under`.
-uint32_t blended(uint32_t over, uint32_t under) {
-  constexpr uint32_t kFull = 255;
-  const uint32_t through = kFull - (over >> 24);
-  uint32_t result = 0;
-  for (int shift = 0; shift < 32; shift += 8) {
-    const uint32_t a = (over >> shift) & kFull, b = (under >> shift) & kFull;
-    result |= std::min(kFull, a + (b * through + kFull / 2) / kFull) << shift;
-  }
-  return result;
-}
-
-}  // namespace
 
 bool merge(const Image& image, DepthTest test, WindowContent& content) noexcept {
   if (!image.has(Plane::color) || image.samples != 1) return false;
@@ -39,7 +25,7 @@ bool merge(const Image& image, DepthTest test, WindowContent& content) noexcept 
       const float depth = image.depth[source], there = content.depths[target];
       if (depth == Image::kMiss || !(test == DepthTest::less ? depth < there : depth <= there)) continue;
       uint32_t& color = content.colors[target];
-      color = averages ? blended(image.color[source], color) : image.color[source];
+      color = averages ? scene::blended(image.color[source], color) : image.color[source];
     }
   }
   return true;

@@ -1,14 +1,17 @@
 #include "frame/refinement/idle_image.h"
 
+#include "frame/refinement/compared_pixels.h"
+#include "frame/refinement/edge_pixels.h"
+#include "settings/samples.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace gluray::frame {
 namespace {
 
-constexpr uint32_t kColors = 0xffffff;  // without alpha
-constexpr double kMinShare = 0.5;       // of an image's hits that the window must show to the bit
-constexpr uint32_t kBetter = 2;         // as many passes as the last shown image had, and then it is shown
+constexpr double kMinShare = 0.5;  // of an image's hits that the window must show to the bit
+constexpr uint32_t kBetter = 2;    // as many passes as the last shown image had, and then it is shown
 
 }  // namespace
 
@@ -26,39 +29,6 @@ IdleFrame::IdleFrame(std::vector<IdleImage> images, std::shared_ptr<IdleWindow> 
 }
 
 namespace {
-
-/// The colour at a place of the window; null: outside.
-const uint32_t* colorAt(const WindowPixels& window, glm::ivec2 place) {
-  if (place.x < 0 || place.y < 0 || place.x >= window.width || place.y >= window.height) return nullptr;
-  return &window.colors[static_cast<size_t>(place.y) * static_cast<size_t>(window.width) +
-                        static_cast<size_t>(place.x)];
-}
-
-/// A rectangle of the window in which something should be seen, and the pixels that are equal to it.
-struct Compared {
-  const WindowPixels& window;
-  glm::ivec2 corner, size;
-  std::vector<bool> equal;
-
-  glm::ivec2 placeOf(size_t i) const { return {static_cast<int>(i) % size.x, static_cast<int>(i) / size.x}; }
-  const uint32_t* shownAt(glm::ivec2 at) const { return colorAt(window, corner + at); }
-};
-
-/// Whether a pixel that is equal shows what is compared: no pixel close by that does not show it has its
-/// colour. Noise may equal a flat overlay here and there, but not all around.
-bool isVisible(const Compared& compared, glm::ivec2 at) {
-  constexpr int kReach = 3;
-  const uint32_t color = *compared.shownAt(at) & kColors;
-  for (int y = at.y - kReach; y <= at.y + kReach; ++y) {
-    for (int x = at.x - kReach; x <= at.x + kReach; ++x) {
-      const bool inside = x >= 0 && y >= 0 && x < compared.size.x && y < compared.size.y;
-      if (!inside || compared.equal[static_cast<size_t>(y * compared.size.x + x)]) continue;
-      const uint32_t* const shown = compared.shownAt({x, y});
-      if (shown && (*shown & kColors) == color) return false;
-    }
-  }
-  return true;
-}
 
 /// Copies rows of the region from or to the window.
 template <class Copy>
@@ -118,8 +88,13 @@ void IdleFrame::undoPasses(const Tracer& tracer) {
 /// The window with a part's refined pixels. False: the passes cannot be made.
 bool IdleFrame::composeNext(const Part& part, const Image& image, const Tracer& tracer) {
   nextUnder_ = under_;
-  for (size_t i = 0; i < part.visible.size(); ++i)
-    nextUnder_.colors[part.visible[i]] = image.color[part.at[i]];
+  const bool smooths = image.isAverages() && !part.written.averages;
+  for (size_t i = 0; i < part.visible.size(); ++i) {
+    const uint32_t color = image.color[part.at[i]];
+    const auto behind = i < part.behind.size() ? part.behind[i] : std::nullopt;
+    const std::optional<uint32_t> shown = smooths ? shownColor(color, behind) : color;
+    if (shown) nextUnder_.colors[part.visible[i]] = *shown;
+  }
   next_ = shown_;
   for (const uint32_t pixel : part.visible) next_.colors[pixel] = nextUnder_.colors[pixel];
   std::vector<uint32_t> before, after;
@@ -164,6 +139,37 @@ bool IdleFrame::findVisible(Part& part) {
   return true;
 }
 
+/// Finds out which parts the window shows, and where.
+void IdleFrame::look() {
+  for (Part& part : parts_)
+    if (!part.finished && part.refiner) part.refused = part.finished = !findVisible(part);
+  for (Part& part : parts_)
+    if (!part.refused && part.refiner) findEdges(part);
+}
+
+/// What lies behind the edges of an image of one sample per pixel, where it is refined with several. Adds the
+/// pixels beside the edges to those that show the image.
+void IdleFrame::findEdges(Part& part) {
+  const IdleImage& p = part.written;
+  if (p.averages || p.hits.empty() || !averagesSamples(p.snapshot->settings, p.snapshot->samples)) return;
+  Compared compared{under_, p.corner, p.size, std::vector<bool>(p.colors.size())};
+  for (const uint32_t pixel : part.at) compared.equal[pixel] = true;
+  const auto placeIn = [&](const uint32_t* shown) {
+    return static_cast<size_t>(shown - under_.colors.data());
+  };
+  const EdgeSurroundings around{compared, p.hits,
+                                [&](glm::ivec2 at) { return bool{taken_[placeIn(compared.shownAt(at))]}; }};
+  for (const uint32_t pixel : part.at) part.behind.push_back(colorBehind(around, compared.placeOf(pixel)));
+  for (size_t i = 0; i < p.hits.size(); ++i) {
+    if (p.hits[i]) continue;
+    const glm::ivec2 at = compared.placeOf(i);
+    const std::optional<uint32_t> behind = colorBehind(around, at);
+    if (!behind) continue;
+    part.visible.push_back(static_cast<uint32_t>(placeIn(compared.shownAt(at))));
+    part.at.push_back(static_cast<uint32_t>(i)), part.behind.push_back(behind);
+  }
+}
+
 /// The part's refined pixels as the program would have written them; null: they cannot be made.
 const Image* IdleFrame::imageOf(Part& part, const Tracer& tracer) {
   part.refiner->show(part.image);
@@ -171,10 +177,6 @@ const Image* IdleFrame::imageOf(Part& part, const Tracer& tracer) {
   if (!how) return part.image.has(Plane::color) ? &part.image : nullptr;
   const Settings& settings = part.written.snapshot->settings;
   return tracer.resolve && tracer.resolve(settings, *how, part.image, part.pixels) ? &part.pixels : nullptr;
-}
-
-bool IdleFrame::looked() const {
-  return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.looked; });
 }
 
 std::vector<scene::Region> IdleFrame::regions() const {
@@ -188,7 +190,7 @@ bool IdleFrame::has(uint64_t id) const {
 }
 
 bool IdleFrame::readWindow() noexcept {
-  if (!looked()) return window_->read(shown_);
+  if (!looked_) return window_->read(shown_);
   // `next_` is free between steps.
   return window_->read(next_) && next_.width == shown_.width && next_.height == shown_.height &&
          std::equal(next_.colors.begin(), next_.colors.end(), shown_.colors.begin(),
@@ -223,9 +225,9 @@ IdleFrame::Step IdleFrame::step(const Tracer& tracer, const Trace& trace, Done& 
                                      [&](const Part& a, const Part& b) { return rank(a) < rank(b); });
   if (part == parts_.end() || part->finished) return Step::done;
   if (!undone_) undoPasses(tracer);
-  if (!std::exchange(part->looked, true)) {
-    part->refused = !findVisible(*part);
-    if (part->refused) return part->finished = true, Step::more;
+  if (!std::exchange(looked_, true)) {
+    look();
+    if (part->finished) return Step::more;
   }
   if (!part->refiner->hasPass() || !part->refiner->finished()) {
     if (!part->refiner->pass(trace, 0, done.cost, done.why)) return Step::failed;

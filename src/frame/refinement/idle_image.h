@@ -31,9 +31,12 @@ struct IdleImage {
   // One per pixel, 0 or 1, as bytes for fast writing in every frame.
   std::vector<uint8_t> mixed = {};  // pixels whose samples differ; empty: none
   std::vector<uint8_t> hits = {};   // pixels that show surfaces; empty: all
+  bool averages = false;            // Image::isAverages()
 
   /// Without `refinement`.
-  IdleImage copy() const { return {snapshot, id, corner, size, colors, resolve, nullptr, mixed, hits}; }
+  IdleImage copy() const {
+    return {snapshot, id, corner, size, colors, resolve, nullptr, mixed, hits, averages};
+  }
   scene::Region region() const { return {corner.x, corner.y, size.x, size.y}; }
 };
 
@@ -68,7 +71,7 @@ class IdleFrame {
   Step step(const Tracer& tracer, const Trace& trace, Done& done);
   /// Whether the window shows none of the images unchanged.
   bool refused() const;
-  bool looked() const;  // for any of the images
+  bool looked() const { return looked_; }
   bool hasWindow() const { return window_ != nullptr; }
   /// Framebuffer regions of the images.
   std::vector<scene::Region> regions() const;
@@ -86,11 +89,14 @@ class IdleFrame {
     Image image, pixels;            // the refined image; the same resolved, if it has samples
     std::vector<uint32_t> visible;  // pixels of the window that show the image
     std::vector<uint32_t> at;       // their places in the image
+    // The colours behind them (edge_pixels.h); empty: none is known.
+    std::vector<std::optional<uint32_t>> behind;
     uint32_t shownPasses = 0;
-    bool looked = false;  // `visible` is known
     bool finished = false, refused = false;
   };
+  void look();
   bool findVisible(Part& part);
+  void findEdges(Part& part);
   void undoPasses(const Tracer& tracer);
   bool composeNext(const Part& part, const Image& image, const Tracer& tracer);
   const Image* imageOf(Part& part, const Tracer& tracer);
@@ -100,6 +106,7 @@ class IdleFrame {
   WindowPixels under_, nextUnder_;  // window pixels before anti-aliasing
   std::vector<IdleFxaa> passes_;    // those whose result the window shows
   bool undone_ = false;             // under_ is known
+  bool looked_ = false;             // where the window shows the parts is known
   std::vector<bool> taken_;         // pixels of the window in which an image is seen
   std::vector<Part> parts_;         // the last written first
 };

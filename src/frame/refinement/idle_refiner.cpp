@@ -99,7 +99,10 @@ void IdleRefiner::run(const std::atomic<bool>& cancelled) {
 
 void IdleRefiner::refine(IdleFrame& frame, const Trace& trace, const std::function<bool()>& ends) {
   const bool again = frame.looked();
-  if (!frame.readWindow()) return void(counts().refused += !again);
+  if (!frame.readWindow()) {
+    if (!again) ++counts().refused, refused_ = true;
+    return;
+  }
   if (!again) ++counts().frames, counts().framePasses = 0;
   auto step = IdleFrame::Step::more;
   IdleFrame::Done done;
@@ -111,6 +114,7 @@ void IdleRefiner::refine(IdleFrame& frame, const Trace& trace, const std::functi
     any = any || done.traced;
     if (std::isfinite(frame.noise())) counts().noise = frame.noise();
   }
+  refused_ = frame.refused();
   if (again && !any) return;
   if (step == IdleFrame::Step::done && !frame.refused()) ++counts().finished;
   if (frame.refused()) ++counts().refused;

@@ -41,6 +41,8 @@ class IdleRefiner {
   void start(std::unique_ptr<IdleFrame> frame) noexcept;
   /// Stops, and waits until the thread uses neither renderer nor window: at most the time of one tile.
   void stop() noexcept;
+  /// Whether the last window that was looked at did not show its images unchanged. Any thread.
+  bool refused() const noexcept { return refused_; }
   /// The frame of the last start(); null: none. Before stop(), only its size may be read.
   IdleFrame* frame() noexcept { return frame_.get(); }
   /// Continues with that frame after stop(), if its window has not changed.
@@ -57,7 +59,7 @@ class IdleRefiner {
 
   Tracer tracer_;
   Clock::duration quiet_;
-  std::atomic<bool> stop_{false};
+  std::atomic<bool> stop_{false}, refused_{false};
   std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
   State state_ = State::empty;

@@ -99,7 +99,7 @@ std::optional<Relighting::Replaced> Relighting::relight(ViewScenes::Outdated one
     p_.counts.decisions()->relit(one.now->instances.size());
   ++p_.counts.statistics.imagesRelit;
   ImageWish wish = p_.clock.wish();
-  wish.anew = true;
+  wish.anew = true, wish.averages = one.written->isAverages();
   p_.shadow.current.shelve(p_.shadow.real);
   const PresentResult result = p_.pending.presenter.relight(
       p_.shadow.real, one.before, one.now, {*one.written, one.later, p_.shadow.info.core, wish});

@@ -8,8 +8,8 @@ const frame::ImageCache::CachedImage* PresentedImages::imageOf(const scene::Snap
                                                                gl::ImageWish wish,
                                                                std::optional<uint32_t> missColor,
                                                                gl::PresentResult& result, std::string& why) {
-  frame::TracedImages::Result got =
-      images.imageOf(snapshot, {wish.mayRepeat, missColor, wish.finished, wish.asShown, wish.anew});
+  frame::TracedImages::Result got = images.imageOf(
+      snapshot, {wish.mayRepeat, missColor, wish.finished, wish.asShown, wish.anew, wish.averages});
   result.cost = got.cost;
   result.passes = got.passes;
   result.noise = got.noise;
