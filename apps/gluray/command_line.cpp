@@ -83,7 +83,8 @@ bool namesCommand(int argc, char** argv, Command& command) {
                                                           {"presets", Command::presets},
                                                           {"hub", Command::hub},
                                                           {"environment", Command::environment},
-                                                          {"uninstall", Command::uninstall}};
+                                                          {"uninstall", Command::uninstall},
+                                                          {"render", Command::render}};
   if (argc > 1 && namesControlCommand(argv[1], command)) return true;
   const auto found = argc > 1 ? commands.find(argv[1]) : commands.end();
   if (found == commands.end()) return false;
@@ -120,11 +121,25 @@ void describeHub(CLI::App& app, CommandLine& line) {
                "Exit at the end of standard input, such as when the parent closes a pipe");
 }
 
+void describeRender(CLI::App& app, CommandLine& line) {
+  app.description(
+      "Makes a picture of a scene that `gluray save` saved, of any size, with the settings that the program "
+      "had\n"
+      "or others. If it is interrupted, the same command goes on where it ended. Overwrites PNG files only.");
+  app.name("gluray render");
+  app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray")->required();
+  app.add_option("FILE", line.picture.file, "Name of the picture, ending in .png")->required();
+  addPictureOptions(app, line.picture);
+  app.add_flag("--json", line.json, "Print JSON");
+  addSettingOptions(app, line.settings, false);
+}
+
 /// Adds the options and the help text of the command in `line`.
 void describe(CLI::App& app, CommandLine& line) {
   const auto usage = [&](const char* text) { app.get_formatter()->label("OPTIONS", text); };
   if (line.command == Command::timeline) return describeTimeline(app, line);
   if (line.command == Command::hub) return describeHub(app, line);
+  if (line.command == Command::render) return describeRender(app, line);
   if (line.command != Command::run && line.command != Command::panel)
     app.add_flag("--json", line.json, "Print JSON");
   if (describeControl(app, line)) return;
@@ -202,7 +217,7 @@ void describe(CLI::App& app, CommandLine& line) {
 /// Whether a program may follow the options: the others take names or a file.
 bool takesProgram(Command command) {
   return command != Command::timeline && command != Command::get && command != Command::presets &&
-         command != Command::hub && !isControlCommand(command);
+         command != Command::hub && command != Command::render && !isControlCommand(command);
 }
 
 /// Index of the program's word, from `first` on: after "--", or the first word that is neither an option

@@ -1,6 +1,7 @@
 // The launcher's command line, parsed.
 #pragma once
 #include "control/control_options.h"
+#include "pictures/picture_options.h"
 #include "settings/chosen_settings.h"
 
 #include <string>
@@ -36,7 +37,9 @@ enum class Command {
   material,
   light,
   camera,
-  film
+  film,
+  save,
+  render
 };
 
 /// Options of gluray hub; empty: not given.
@@ -54,6 +57,7 @@ struct CommandLine {
 
   ControlOptions control;  // get, and commands for running programs
   HubLine hub;
+  PictureOptions picture;  // render, shot
 
   bool json = false;    // all but run and timeline
   bool remove = false;  // uninstall

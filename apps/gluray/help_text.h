@@ -32,7 +32,8 @@ Commands for running programs:
   gluray undo              undo the last change; gluray redo repeats it
   gluray get --live NAME   the value of a setting in the running programs
   gluray watch             print changes of settings, and programs that start or end
-  gluray shot FILE.png     save the image of a program's window
+  gluray shot FILE.png     save the image of a program's window; with --size in any size
+  gluray save FILE.gluray  save what a program shows as a scene
   gluray film FILE.png     save the next frames of a window as numbered images
   gluray hub               pass messages between running programs and these commands
 
@@ -42,6 +43,9 @@ Commands for the scenes of running programs:
   gluray material 3 glass  change the material of single objects; --hide hides them
   gluray light             list the lights; gluray light azimuth=30 changes them
   gluray camera            list the cameras; gluray camera focus X Y focuses on a surface
+
+Pictures of saved scenes:
+  gluray render SCENE.gluray FILE.png   make a picture of any size, without the program
 
 After a run:
   gluray timeline FILE     print the work of each thread in a run with --timeline FILE

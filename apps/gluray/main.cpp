@@ -9,6 +9,7 @@
 #include "doctor/probe_context.h"
 #include "doctor/uninstall.h"
 #include "explain/explain.h"
+#include "pictures/render.h"
 #include "programs/environment.h"
 #include "programs/launch.h"
 #include "programs/program.h"
@@ -49,6 +50,7 @@ int perform(const CommandLine& line) {
     case Command::presets: return listPresets(line);
     case Command::timeline: return showTimeline(line);
     case Command::hub: return runHub(line);
+    case Command::render: return renderSaved(line);
     default: return run(line);
   }
 }

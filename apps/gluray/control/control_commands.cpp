@@ -2,6 +2,7 @@
 
 #include "command_line.h"
 #include "control/images/film.h"
+#include "control/images/save.h"
 #include "control/images/shot.h"
 #include "control/panel.h"
 #include "control/programs_list.h"
@@ -24,6 +25,7 @@ bool performControl(const CommandLine& line, int& exitCode) {
     case Command::redo: exitCode = stepBackOrForth(line); return true;
     case Command::watch: exitCode = watchPrograms(line); return true;
     case Command::shot: exitCode = saveShot(line); return true;
+    case Command::save: exitCode = saveProgramsScene(line); return true;
     case Command::objects: exitCode = listObjects(line); return true;
     case Command::pick: exitCode = pickObject(line); return true;
     case Command::material: exitCode = changeMaterials(line); return true;

@@ -2,7 +2,9 @@
 
 #include "command_line.h"
 #include "control/scene/scene_options.h"
+#include "pictures/picture_options.h"
 #include "settings/rows.h"
+#include "settings/setting_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -18,7 +20,8 @@ constexpr CommandWord kWords[] = {
     {"preset", Command::preset},   {"watch", Command::watch},   {"undo", Command::undo},
     {"redo", Command::redo},       {"panel", Command::panel},   {"shot", Command::shot},
     {"objects", Command::objects}, {"pick", Command::pick},     {"material", Command::material},
-    {"light", Command::light},     {"camera", Command::camera}, {"film", Command::film}};
+    {"light", Command::light},     {"camera", Command::camera}, {"film", Command::film},
+    {"save", Command::save}};
 
 const char* wordOfCommand(Command command) {
   for (const CommandWord& known : kWords)
@@ -102,15 +105,26 @@ bool describeControl(CLI::App& app, CommandLine& line) {
       app.description("Opens a window that shows running programs and changes their settings.");
       break;
     case Command::shot:
-      app.description("Saves the image in the window of a running program. Overwrites PNG files only.");
+      app.description(
+          "Saves the image in the window of a running program; with options, a picture of what it shows, of\n"
+          "any size and with any settings, made by a process of its own. Overwrites PNG files only.");
       app.add_option("FILE", options.file, "Name of the image, ending in .png")->required();
+      addPictureOptions(app, line.picture);
+      addSettingOptions(app, line.settings, false);
+      break;
+    case Command::save:
+      app.description(
+          "Saves what a running program shows as a scene, from which `gluray render` makes pictures without "
+          "the\n"
+          "program.");
+      app.add_option("FILE", options.file, "Name of the scene, ending in .gluray")->required();
       break;
     default: describeSceneCommand(app, line); break;
   }
   if (line.command == Command::list || line.command == Command::panel)
     addHubOptions(app, options, false);
   else
-    addProgramOptions(app, options, false);
+    addProgramOptions(app, options, line.command == Command::shot);
   return true;
 }
 

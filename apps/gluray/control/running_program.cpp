@@ -17,7 +17,7 @@ namespace {
 using control::numberIn, control::textIn;
 using nlohmann::json;
 
-std::string thisHost() {
+std::string nameOfHost() {
   char name[256] = {};
   return gethostname(name, sizeof name - 1) == 0 ? name : "";
 }
@@ -63,10 +63,13 @@ std::vector<RunningProgram> programsOf(const json& message) {
   return programs;
 }
 
+bool runsElsewhere(const RunningProgram& program) {
+  return !program.host.empty() && program.host != nameOfHost();
+}
+
 std::string labelOf(const RunningProgram& program) {
-  const bool elsewhere = !program.host.empty() && program.host != thisHost();
   return printable(program.name) + " (" + std::to_string(program.pid) +
-         (elsewhere ? " on " + printable(program.host) : "") + ")";
+         (runsElsewhere(program) ? " on " + printable(program.host) : "") + ")";
 }
 
 bool areThere(const std::vector<RunningProgram>& all, const std::vector<std::string>& words) {

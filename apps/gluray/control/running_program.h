@@ -18,6 +18,9 @@ struct RunningProgram {
 /// From the member `programs` of an untrusted message. Entries without a number are left out.
 std::vector<RunningProgram> programsOf(const nlohmann::json& message);
 
+/// Whether it runs on another machine.
+bool runsElsewhere(const RunningProgram& program);
+
 /// "paraview (4242)"; "paraview (4242 on node7)" for another machine's.
 std::string labelOf(const RunningProgram& program);
 

@@ -1,5 +1,5 @@
-// Serialises the settings of a snapshot that differ from their defaults, in the order of the table. Any
-// thread.
+// Serialises the settings of a snapshot that differ from their defaults: names and values as text, so that
+// other versions of GLuRay can read them. Any thread.
 #pragma once
 #include "cluster/stream/byte_stream.h"
 #include "settings/settings.h"

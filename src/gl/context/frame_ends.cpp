@@ -215,13 +215,14 @@ void FrameEnds::endViews(GLbitfield mask) {
   const GLuint framebuffer = drawFramebuffer(real);
   const glm::ivec4 at = scissorBox(real);
   const scene::Region box{at.x, at.y, at.z, at.w};
+  SurfaceHistory& surfaces = p_.surfaces;
   if (color) {
     glm::vec4 to(0);
     real.GetFloatv(GL_COLOR_CLEAR_VALUE, &to[0]);
-    p_.surfaces.views.colorCleared({framebuffer, box, to, p_.counts.statistics.drawsRasterised});
-    p_.surfaces.objects.colorCleared(framebuffer, box);
+    surfaces.views.colorCleared({framebuffer, box, to, p_.counts.statistics.drawsRasterised});
+    surfaces.objects.colorCleared(framebuffer, box);
   }
-  if (depth) p_.surfaces.views.depthCleared(framebuffer, box);
+  if (depth) surfaces.views.depthCleared(framebuffer, box), surfaces.objects.depthCleared(framebuffer, box);
 }
 
 /// The framebuffer keeps its depth: passes over surfaces of this frame may follow.

@@ -51,7 +51,9 @@ void DrawnObjects::traced(const BatchKey& key, const scene::SnapshotPtr& snapsho
   if (!asked_) return;
   try {
     if (batches_.size() >= kMaxBatches) batches_.erase(batches_.begin());
-    batches_.push_back({snapshot, key.framebuffer});
+    batches_.push_back({snapshot, key.framebuffer, key.depthFunc == GL_LESS || key.depthFunc == GL_GREATER,
+                        std::move(clears_)});
+    clears_.clear();
   } catch (const std::exception&) { batches_.clear(); }
   if (!swaps_) publish(0);
 }
@@ -61,6 +63,13 @@ void DrawnObjects::colorCleared(uint32_t framebuffer, const scene::Region& box) 
     return batch.framebuffer == framebuffer && coversMost(box, batch.snapshot->region);
   });
   ended_ |= framebuffer == firstFramebuffer_ && coversMost(box, firstRegion_);
+}
+
+void DrawnObjects::depthCleared(uint32_t framebuffer, const scene::Region& box) noexcept {
+  if (!asked_ || clears_.size() >= kMaxBatches) return;
+  try {
+    clears_.push_back({framebuffer, box});
+  } catch (const std::exception&) {}  // out of memory
 }
 
 void DrawnObjects::placed(const std::vector<glm::ivec4>& places) {

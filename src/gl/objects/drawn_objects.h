@@ -36,10 +36,12 @@ class DrawnObjects {
   void endFrame() noexcept { ended_ = true; }
   /// Reports that the framebuffer's colours were cleared in `box`.
   void colorCleared(uint32_t framebuffer, const scene::Region& box) noexcept;
+  /// Reports that the framebuffer's depth was cleared in `box`.
+  void depthCleared(uint32_t framebuffer, const scene::Region& box) noexcept;
   /// Reports that a frame was shown, and that the window's contents are now undefined. `frame`: its number in
   /// SettingsSource.
   void shown(uint64_t frame) noexcept;
-  /// Whether calls of colorCleared() have no effect.
+  /// Whether calls of colorCleared() and depthCleared() have no effect.
   bool empty() const { return !numbers_ && batches_.empty(); }
 
  private:
@@ -54,9 +56,10 @@ class DrawnObjects {
   uint64_t frame_ = 0;
   uint32_t firstFramebuffer_ = 0;
   scene::Region firstRegion_;
-  bool ended_ = false;               // the first batch's place was cleared, or endFrame() was called
-  std::vector<ShownBatch> batches_;  // what framebuffers show now
-  std::vector<glm::ivec4> places_;   // of the current frame
+  bool ended_ = false;                // the first batch's place was cleared, or endFrame() was called
+  std::vector<ShownBatch> batches_;   // what framebuffers show now
+  std::vector<ClearedDepth> clears_;  // since the last batch
+  std::vector<glm::ivec4> places_;    // of the current frame
 };
 
 }  // namespace gluray::gl

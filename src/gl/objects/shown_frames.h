@@ -14,10 +14,18 @@
 
 namespace gluray::gl {
 
+/// A rectangle of a framebuffer's depth that was cleared.
+struct ClearedDepth {
+  uint32_t framebuffer = 0;  // OpenGL's name; 0: the window
+  scene::Region box;
+};
+
 /// One traced batch of a frame.
 struct ShownBatch {
   scene::SnapshotPtr snapshot;
-  uint32_t framebuffer = 0;  // OpenGL's name; 0: the window
+  uint32_t framebuffer = 0;           // as of ClearedDepth
+  bool strict = true;                 // equal depths fail the depth test
+  std::vector<ClearedDepth> cleared;  // since the batch before
 };
 
 /// A frame that was shown: its batches in drawing order. Their surfaces are numbered.

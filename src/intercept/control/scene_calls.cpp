@@ -4,6 +4,7 @@
 #include "frame/questions/listed_lights.h"
 #include "intercept/contexts/contexts.h"
 #include "intercept/control/described_objects.h"
+#include "intercept/control/shown_as_saved.h"
 #include "settings/live/settings_source.h"
 
 #include <algorithm>
@@ -18,7 +19,8 @@ namespace {
 using control::Called;
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 5> kCalls = {"objects", "pick", "highlight", "lights", "cameras"};
+constexpr std::array<std::string_view, 6> kCalls = {"objects", "pick",    "highlight",
+                                                    "lights",  "cameras", "save"};
 constexpr int64_t kMaxObjects = 1000;  // in one answer
 
 /// An integer member of the arguments; `otherwise` if it is missing. Throws if it is not an integer in its
@@ -76,6 +78,7 @@ Called SceneCalls::call(const std::string& name, const json& arguments, json& va
     if (name == "pick") value = pick(arguments, *frame, viewsOf(frames).size());
     if (name == "highlight") value = highlight(arguments, *frame);
     if (name == "lights") value = {{"lights", describeLights(viewsOf(frames))}};
+    if (name == "save") value = save(arguments, *frame);
     if (name == "cameras") value = {{"cameras", describeCameras(viewsOf(frames))}};
   } catch (const std::runtime_error& error) { why = error.what(); }
   return Called::done;
@@ -161,6 +164,16 @@ json SceneCalls::pick(const json& arguments, const gl::ShownFrame& frame, size_t
       arrayOf(glm::normalize(glm::dvec3(world * glm::dvec4(frame::worldDirection(s, found->normal), 0))));
   value["distance"] = frame::Viewer(s).distanceOf(found->point) * scale;
   return value;
+}
+
+json SceneCalls::save(const json& arguments, const gl::ShownFrame& frame) {
+  const std::string file = control::textIn(arguments, "file");
+  if (file.empty() || file.front() != '/') throw std::runtime_error("file: use a name with its whole path");
+  const saved::SavedScene scene = savedScene(frame, {windowSize_(), gl::shownFrames().places()});
+  if (scene.batches.empty()) throw std::runtime_error("it shows no traced surface");
+  if (const std::string why = saved::saveScene(scene, file, true); !why.empty())
+    throw std::runtime_error(why);
+  return {{"frame", frameOf(frame)}, {"width", scene.window.x}, {"height", scene.window.y}};
 }
 
 json SceneCalls::highlight(const json& arguments, const gl::ShownFrame& frame) {

@@ -1,4 +1,5 @@
-// Calls about the program's scene (docs/control-protocol.md): objects, pick, highlight, lights, cameras.
+// Calls about the program's scene (docs/control-protocol.md): objects, pick, highlight, lights, cameras,
+// save.
 // Control thread.
 #pragma once
 #include "control/link/program/controlled_program.h"
@@ -36,6 +37,7 @@ class SceneCalls {
   nlohmann::json pick(const nlohmann::json& arguments, const gl::ShownFrame& frame, size_t allViews);
   nlohmann::json highlight(const nlohmann::json& arguments, const gl::ShownFrame& frame);
   std::optional<ShownPoint> pointAt(const nlohmann::json& arguments, const std::vector<ShownView>& views);
+  nlohmann::json save(const nlohmann::json& arguments, const gl::ShownFrame& frame);
   gl::ShownFramePtr shownFrame();
   void list(const Frames& frames);
 

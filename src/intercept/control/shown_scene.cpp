@@ -22,8 +22,10 @@ bool isIn(const glm::ivec4& viewport, const glm::dvec2& at) {
          at.y < viewport.y + viewport.w;
 }
 
+}  // namespace
+
 /// Width and height of a framebuffer, estimated from what is drawn into it.
-glm::ivec2 extentOf(const std::vector<ShownView>& views, uint32_t framebuffer) {
+static glm::ivec2 extentOf(const std::vector<ShownView>& views, uint32_t framebuffer) {
   glm::ivec2 extent(0);
   for (const ShownView& view : views)
     for (const gl::ShownBatch* batch : view.batches) {
@@ -33,8 +35,6 @@ glm::ivec2 extentOf(const std::vector<ShownView>& views, uint32_t framebuffer) {
   return extent;
 }
 
-/// Position of the framebuffer's lower left corner in the window. A framebuffer object fills the whole
-/// window, or the only rectangle of its size. Nullopt if the position is unknown.
 std::optional<glm::ivec2> placeOf(const std::vector<ShownView>& views, uint32_t framebuffer,
                                   const ShownWindowPlaces& window) {
   if (framebuffer == 0 || window.size == glm::ivec2(0)) return glm::ivec2(0);
@@ -48,8 +48,6 @@ std::optional<glm::ivec2> placeOf(const std::vector<ShownView>& views, uint32_t 
   }
   return found;
 }
-
-}  // namespace
 
 glm::dmat4 ShownView::viewFromWorld(const scene::Snapshot& batch) const {
   const auto eye = eyeFromEye(first(), batch);

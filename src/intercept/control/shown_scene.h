@@ -42,6 +42,10 @@ struct ShownWindowPlaces {
 /// it is unknown where the window shows the views.
 std::optional<ShownPoint> pointAt(const std::vector<ShownView>& views, const glm::dvec2& at,
                                   const ShownWindowPlaces& window);
+/// Position of the framebuffer's lower left corner in the window. A framebuffer object fills the whole
+/// window, or the only rectangle of its size. Nullopt if the position is unknown.
+std::optional<glm::ivec2> placeOf(const std::vector<ShownView>& views, uint32_t framebuffer,
+                                  const ShownWindowPlaces& window);
 /// Size of the smallest window that contains the views.
 glm::ivec2 extentOf(const std::vector<ShownView>& views);
 

@@ -1,6 +1,7 @@
 #include "control/images/film_plan.h"
 
 #include "settings/setting_options.h"
+#include "shell_word.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,15 +18,6 @@ const std::string kEnding = ".png";
 bool readRampEnd(std::string_view text, double& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-}
-
-/// For a shell: in quotes if it has anything but plain characters.
-std::string shellWord(const std::string& text) {
-  const char* const plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789%_-./+:@";
-  if (text.find_first_not_of(plain) == text.npos && !text.starts_with('-')) return text;
-  std::string quoted = text.starts_with('-') ? "'./" : "'";
-  for (const char letter : text) quoted += letter == '\'' ? "'\\''" : std::string(1, letter);
-  return quoted + "'";
 }
 
 }  // namespace

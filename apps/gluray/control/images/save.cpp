@@ -1,0 +1,108 @@
+#include "control/images/save.h"
+
+#include "base/printable.h"
+#include "control/images/window_image.h"
+#include "control/messages/members.h"
+#include "control/one_program.h"
+#include "saved/sections/saved_picture.h"
+#include "say.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <system_error>
+
+namespace gluray::launcher {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const std::string kSceneEnding = ".gluray";
+
+saved::SavedPicture pictureOf(const Pixels& pixels) {
+  saved::SavedPicture picture{pixels.width, pixels.height, {}};
+  picture.pixels.reserve(pixels.count());
+  for (int y = pixels.height - 1; y >= 0; --y)
+    for (int x = 0; x < pixels.width; ++x) {
+      const uint8_t* const rgb =
+          pixels.at(static_cast<size_t>(y) * static_cast<size_t>(pixels.width) + static_cast<size_t>(x));
+      picture.pixels.push_back(0xff000000u | static_cast<uint32_t>(rgb[0]) |
+                               static_cast<uint32_t>(rgb[1]) << 8 | static_cast<uint32_t>(rgb[2]) << 16);
+    }
+  return picture;
+}
+
+/// A file that is removed unless it was renamed.
+struct PartFile {
+  std::string path;
+  explicit PartFile(const std::string& file) : path(file + ".part-" + std::to_string(getpid())) {}
+  ~PartFile() {
+    std::error_code error;
+    fs::remove(path, error);
+  }
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+  /// Makes it anew, empty: the program writes into it.
+  void begin() const {
+    ::unlink(path.c_str());
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0)
+      throw std::runtime_error(printable(path) +
+                               " cannot be written: " + std::generic_category().message(errno));
+    ::close(descriptor);
+  }
+  void renameTo(const std::string& file) const {
+    std::error_code error;
+    fs::rename(path, file, error);
+    if (error) throw std::runtime_error(printable(file) + " cannot be written: " + error.message());
+  }
+};
+
+}  // namespace
+
+void saveScene(HubSession& hub, const RunningProgram& program, const std::string& file) {
+  if (runsElsewhere(program))
+    throw std::runtime_error("it runs on " + printable(program.host) + ": use this command there");
+  const PartFile part(fs::absolute(file).string());
+  // Scene and picture must be of one frame. Programs that draw all the time may show others in between.
+  constexpr int kTries = 5;
+  for (int left = kTries; left > 0; --left) {
+    part.begin();
+    const Shot shot = takeShot(hub, program);
+    const json saved = callOf(hub, program, "save", {{"file", part.path}});
+    const auto frame = control::wholeNumber(control::member(saved, "frame"), 0, control::kMaxFrame);
+    if (frame && shot.frame && *frame != *shot.frame && left > 1) continue;
+    if (frame && shot.frame && *frame != *shot.frame)
+      throw std::runtime_error("it shows new frames all the time: pause its animation");
+    const std::string why = saved::appendPicture(part.path, pictureOf(imageOf(hub, program, shot).pixels));
+    if (!why.empty()) throw std::runtime_error(why);
+    break;
+  }
+  part.renameTo(file);
+}
+
+int saveProgramsScene(const CommandLine& line) {
+  const std::string file = line.control.file;
+  if (!file.ends_with(kSceneEnding) || file.size() == kSceneEnding.size())
+    return say(printable(file) + ": use a name that ends in " + kSceneEnding), kUsageError;
+  HubSession hub(line);
+  const RunningProgram program = oneProgram(hub);
+  labelled(program, [&] { saveScene(hub, program, file); });
+  std::error_code error;
+  const auto bytes = fs::file_size(file, error);
+  if (line.json) {
+    json found = named(program);
+    found["file"] = file, found["bytes"] = bytes;
+    std::cout << jsonText(found) << "\n";
+  } else {
+    std::cout << labelOf(program) << ": " << printable(file) << ", " << (bytes + 999999) / 1000000 << " MB\n";
+  }
+  return 0;
+}
+
+}  // namespace gluray::launcher

@@ -1,0 +1,91 @@
+#include "pictures/band_file.h"
+
+#include "base/printable.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+
+namespace gluray::launcher {
+namespace {
+
+struct Head {
+  std::array<char, 16> magic = {'G', 'L', 'u', 'R', 'a', 'y', ' ',  'b',
+                                'a', 'n', 'd', 's', ' ', '1', '\n', 0};
+  BandPlan plan;
+  int finished = 0;
+};
+constexpr off_t kPixels = 4096;  // where they begin
+
+bool readHead(int descriptor, Head& head) {
+  return ::pread(descriptor, &head, sizeof head, 0) == static_cast<ssize_t>(sizeof head) &&
+         head.magic == Head().magic;
+}
+
+bool writeAll(int descriptor, const void* bytes, size_t count, off_t at) {
+  const auto* from = static_cast<const char*>(bytes);
+  while (count > 0) {
+    const ssize_t done = ::pwrite(descriptor, from, count, at);
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) return false;
+    from += done, at += done, count -= static_cast<size_t>(done);
+  }
+  return true;
+}
+
+off_t rowAt(const BandPlan& plan, int y) { return kPixels + off_t{4} * plan.width * y; }
+
+}  // namespace
+
+int BandFile::finishedBands(const std::string& path, uint64_t low, uint64_t high) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (descriptor < 0) return 0;
+  Head head;
+  const bool same = readHead(descriptor, head) && head.plan.low == low && head.plan.high == high;
+  ::close(descriptor);
+  return same ? head.finished : 0;
+}
+
+BandFile::BandFile(std::string path, const BandPlan& plan) : path_(std::move(path)), plan_(plan) {
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (descriptor_ < 0) fail(errno);
+  Head head;
+  const bool same = readHead(descriptor_, head) && std::memcmp(&head.plan, &plan_, sizeof plan_) == 0;
+  if (same) return;
+  head = {}, head.plan = plan_;
+  if (::ftruncate(descriptor_, 0) != 0 || !writeAll(descriptor_, &head, sizeof head, 0)) fail(errno);
+}
+
+BandFile::~BandFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void BandFile::fail(int error) const {
+  throw std::runtime_error(printable(path_) +
+                           " cannot be written: " + std::generic_category().message(error));
+}
+
+void BandFile::add(int band, int rows, const uint32_t* pixels) {
+  const size_t bytes = size_t{4} * static_cast<size_t>(plan_.width) * static_cast<size_t>(rows);
+  const int finished = band + 1;
+  if (!writeAll(descriptor_, pixels, bytes, rowAt(plan_, band * plan_.bandRows)) ||
+      !writeAll(descriptor_, &finished, sizeof finished, offsetof(Head, finished)))
+    fail(errno);
+}
+
+void BandFile::row(int y, std::vector<uint32_t>& pixels) const {
+  pixels.resize(static_cast<size_t>(plan_.width));
+  const size_t bytes = 4 * pixels.size();
+  if (::pread(descriptor_, pixels.data(), bytes, rowAt(plan_, y)) != static_cast<ssize_t>(bytes))
+    throw std::runtime_error(printable(path_) + " has been changed: start again");
+}
+
+void BandFile::remove() { ::unlink(path_.c_str()); }
+
+}  // namespace gluray::launcher

@@ -1,0 +1,45 @@
+#include "pictures/picture_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+
+namespace gluray::launcher {
+
+namespace {
+
+constexpr int kLargestSide = 32768;
+
+}  // namespace
+
+std::string readSize(const std::string& text, int& width, int& height) {
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  const bool crossed =
+      first.ec == std::errc() && first.ptr != end && (*first.ptr == 'x' || *first.ptr == 'X');
+  const auto second = crossed ? std::from_chars(first.ptr + 1, end, height) : first;
+  const bool read = crossed && second.ec == std::errc() && second.ptr == end;
+  const auto inRange = [](int side) { return side >= 1 && side <= kLargestSide; };
+  if (read && inRange(width) && inRange(height)) return "";
+  return "--size " + text + ": use WIDTHxHEIGHT in pixels, each 1 to " + std::to_string(kLargestSide) +
+         ", such as 3840x2160";
+}
+
+void addPictureOptions(CLI::App& app, PictureOptions& options) {
+  app.add_option("--size", options.size, "Pixels of the picture [those of the window]")
+      ->type_name("WIDTHxHEIGHT");
+  app.add_option(
+         "--fit", options.fit,
+         "If the picture has another aspect ratio than the window: all shows more at two sides, crop\n"
+         "cuts two sides off, stretch distorts")
+      ->check(CLI::IsMember({"all", "crop", "stretch"}))
+      ->capture_default_str();
+  app.add_option("--background", options.background, "The window's background, or none")
+      ->check(CLI::IsMember({"as-shown", "transparent"}))
+      ->capture_default_str();
+  app.add_flag("!--no-overlays", options.overlays,
+               "Leave out what the program draws over surfaces: text, axes, widgets");
+  app.add_flag("--restart", options.again, "Begin anew, even if a picture was interrupted");
+}
+
+}  // namespace gluray::launcher

@@ -1,0 +1,48 @@
+#include "pictures/wanted_settings.h"
+
+#include "base/printable.h"
+#include "say.h"
+#include "settings/settings_list.h"
+#include "shell_word.h"
+
+#include <stdexcept>
+
+namespace gluray::launcher {
+namespace {
+
+void takePreset(const std::string& name, const std::vector<Preset>& all, ChosenSettings& into) {
+  const Preset* const preset = findPreset(name, all);
+  if (!preset) throw std::runtime_error(printable(name) + ": " + whyNoPreset(name, all));
+  for (const PresetValue& value : preset->values) {
+    if (!value.wrong.empty()) throw std::runtime_error(value.wrong);
+    into.set(value.name, value.value);
+  }
+}
+
+}  // namespace
+
+NamedValues wantedSettings(const CommandLine& line) {
+  const std::string preset = line.settings.find("preset"), quality = line.settings.find("quality");
+  ChosenSettings wanted;
+  if (!preset.empty() || !quality.empty()) {
+    const Complain complain = [](const std::string& complaint) { say(complaint); };
+    const std::vector<Preset> all = presetsOf(readConfigFiles(sourcesOf(line), complain));
+    if (!preset.empty() && preset != "none") takePreset(preset, all, wanted);
+    if (!quality.empty() && quality != "none") takePreset("quality-" + quality, all, wanted);
+  }
+  for (const auto& [name, value] : line.settings.all())
+    if (name != "preset" && name != "quality") wanted.set(name, value);
+  return wanted.all();
+}
+
+std::string commandOf(const PictureOptions& options, const NamedValues& settings) {
+  std::string command = "gluray render " + shellWord(options.scene) + ' ' + shellWord(options.file);
+  if (!options.size.empty()) command += " --size " + shellWord(options.size);
+  if (options.fit != "all") command += " --fit " + options.fit;
+  if (options.background != "as-shown") command += " --background " + options.background;
+  if (!options.overlays) command += " --no-overlays";
+  for (const auto& [name, value] : settings) command += " --set " + shellWord(name + "=" + value);
+  return command;
+}
+
+}  // namespace gluray::launcher

@@ -1,0 +1,77 @@
+#include "saved/program/render.h"
+
+#include "saved/shot/shot.h"
+#include "settings/values.h"
+
+#include <cstdio>
+#include <exception>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace gluray::saved {
+namespace {
+
+Fit fitOf(const std::string& word) {
+  if (word == "all") return Fit::all;
+  if (word == "crop") return Fit::crop;
+  if (word == "stretch") return Fit::stretch;
+  throw std::runtime_error("fit: use all, crop or stretch");
+}
+
+/// Changes settings of all batches.
+void change(SavedScene& scene, std::span<const char* const> settings) {
+  for (SavedBatch& batch : scene.batches) {
+    auto changed = std::make_shared<scene::Snapshot>(*batch.snapshot);
+    Session session;
+    session.settings = changed->settings;
+    for (const std::string_view text : settings) {
+      const size_t equals = text.find('=');
+      const std::string name(text.substr(0, equals));
+      const Row* const row = findSetting(name);
+      if (!row) throw std::runtime_error(unknownSetting(name));
+      const std::string why =
+          readValue(*row, equals == std::string_view::npos ? "" : text.substr(equals + 1), session);
+      if (!why.empty()) throw std::runtime_error(name + ": " + why);
+    }
+    changed->settings = session.settings;
+    batch.snapshot = std::move(changed);
+  }
+}
+
+/// False: the sink has ended it.
+bool render(const GlurayRenderRequest& request, const GlurayRenderSink& sink) {
+  if (request.version != kGlurayRenderVersion)
+    throw std::runtime_error("install GLuRay again: its library is of another version");
+  SavedScene scene = readScene(request.scene);
+  change(scene, {request.settings, static_cast<size_t>(request.settingCount)});
+  const std::string facts = scene.facts.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  Shot shot(std::move(scene), {.size = {request.width, request.height},
+                               .fit = fitOf(request.fit),
+                               .transparent = request.transparent != 0,
+                               .overlays = request.overlays != 0});
+  if (!sink.begin(sink.user, shot.size().x, shot.size().y, shot.bandRows(), facts.c_str())) return false;
+  for (const std::string& line : shot.notes()) sink.note(sink.user, line.c_str());
+  for (int band = request.firstBand; band < shot.bands(); ++band) {
+    const std::vector<uint32_t> pixels = shot.band(band);
+    const int rows = static_cast<int>(pixels.size() / static_cast<size_t>(shot.size().x));
+    if (!sink.rows(sink.user, band, rows, pixels.data())) return false;
+  }
+  return true;
+}
+
+}  // namespace
+}  // namespace gluray::saved
+
+__attribute__((visibility("default"))) int glurayRender(const GlurayRenderRequest* request,
+                                                        const GlurayRenderSink* sink, char* why,
+                                                        unsigned long whyBytes) {
+  std::snprintf(why, whyBytes, "%s", "");
+  try {
+    return gluray::saved::render(*request, *sink);
+  } catch (const std::exception& e) {
+    std::snprintf(why, whyBytes, "%s", e.what());
+    return 0;
+  }
+}

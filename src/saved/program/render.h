@@ -1,0 +1,41 @@
+/* Renders saved scenes: what libgluray-engine.so exports for `gluray render`. Called by one thread at a time
+   of a process that draws nothing itself. */
+#pragma once
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { kGlurayRenderVersion = 1 };
+
+typedef struct GlurayRenderRequest {
+  int version;                 /* kGlurayRenderVersion */
+  const char* scene;           /* file */
+  int width, height;           /* pixels; 0: those of the window */
+  const char* fit;             /* "all", "crop", "stretch" */
+  int transparent;             /* the background */
+  int overlays;                /* text, axes and widgets that the program drew */
+  int firstBand;               /* bands before it are not made */
+  const char* const* settings; /* "name=value": in place of those of the scene */
+  int settingCount;
+} GlurayRenderRequest;
+
+/* Receives the picture, in bands of rows from its top on. */
+typedef struct GlurayRenderSink {
+  void* user;
+  /* The picture's size, rows of a band, and facts about the scene: JSON. 0: ends the work. */
+  int (*begin)(void* user, int width, int height, int bandRows, const char* facts);
+  /* Premultiplied RGBA8, red in the lowest byte, top row first. 0: ends the work. */
+  int (*rows)(void* user, int band, int count, const uint32_t* pixels);
+  /* One line about something that is not as in the program. */
+  void (*note)(void* user, const char* line);
+} GlurayRenderSink;
+
+/* 1: the picture is whole; 0: one line in `why`, empty if the sink has ended the work. */
+int glurayRender(const GlurayRenderRequest* request, const GlurayRenderSink* sink, char* why,
+                 unsigned long whyBytes);
+
+#ifdef __cplusplus
+}
+#endif

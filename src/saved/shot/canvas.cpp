@@ -1,0 +1,129 @@
+#include "saved/shot/canvas.h"
+
+#include "scene/premultiplied.h"
+#include "scene/srgb.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gluray::saved {
+namespace {
+
+uint32_t byteOf(float v) {
+  return static_cast<uint32_t>(std::nearbyint(std::clamp(v > 0 ? v : 0.0f, 0.0f, 1.0f) * 255.0f));
+}
+
+uint32_t bytesOf(const float* rgba, bool encodes) {
+  uint32_t bytes = byteOf(rgba[3]) << 24;
+  for (int c = 0; c < 3; ++c) bytes |= byteOf(encodes ? scene::encodedSrgb(rgba[c]) : rgba[c]) << (8 * c);
+  return bytes;
+}
+
+uint32_t colorOf(const Image& image, size_t value, bool encodes) {
+  return image.has(Plane::wideColor) ? bytesOf(&image.wideColor[4 * value], encodes) : image.color[value];
+}
+
+size_t pixelsOf(const scene::Region& r) {
+  return static_cast<size_t>(r.width) * static_cast<size_t>(r.height);
+}
+
+/// A rectangle without planes.
+Image shapeOf(const scene::Region& r) {
+  Image image;
+  image.x = r.x, image.y = r.y, image.width = r.width, image.height = r.height;
+  return image;
+}
+
+}  // namespace
+
+Canvas::Canvas(const scene::Region& region, int samples, const std::vector<uint32_t>& under)
+    : region_(region), samples_(samples) {
+  const size_t values = pixelsOf(region) * static_cast<size_t>(samples);
+  depths_.assign(values, Image::kMiss);
+  if (under.empty()) colors_.assign(values, 0);
+  for (int sample = 0; sample < samples && !under.empty(); ++sample)
+    colors_.insert(colors_.end(), under.begin(), under.end());
+}
+
+template <class Work>
+void Canvas::eachValue(const Image& image, const Work& work) const {
+  const int left = std::max(image.x, region_.x), bottom = std::max(image.y, region_.y);
+  const int right = std::min(image.x + image.width, region_.x + region_.width);
+  const int top = std::min(image.y + image.height, region_.y + region_.height);
+  const auto at = [](int sample, int x, int y, int width, int height) {
+    return static_cast<size_t>((int64_t{sample} * height + y) * width + x);
+  };
+  for (int sample = 0; sample < samples_; ++sample)
+    for (int y = bottom; y < top; ++y)
+      for (int x = left; x < right; ++x)
+        work(at(std::min(sample, image.samples - 1), x - image.x, y - image.y, image.width, image.height),
+             at(sample, x - region_.x, y - region_.y, region_.width, region_.height));
+}
+
+void Canvas::clearDepth(const scene::Region& box) {
+  eachValue(shapeOf(box), [&](size_t, size_t to) { depths_[to] = Image::kMiss; });
+}
+
+void Canvas::add(const Image& image, const DepthTest& test, bool encodes) {
+  const bool averages = image.isAverages();
+  eachValue(image, [&](size_t from, size_t to) {
+    const float depth = image.depth[from];
+    float& there = depths_[to];
+    const bool passes = there == Image::kMiss || (test.largestWins ? depth > there : depth < there) ||
+                        (!test.strict && depth == there);
+    if (depth == Image::kMiss || !passes) return;
+    const uint32_t color = colorOf(image, from, encodes);
+    colors_[to] = averages ? scene::blended(color, colors_[to]) : color | 0xff000000u;
+    const float written = averages ? image.centerDepth[from] : depth;
+    if (test.writesDepth && written != Image::kMiss) there = written;
+  });
+}
+
+void Canvas::addBlended(const Image& image, bool encodes) {
+  eachValue(image, [&](size_t from, size_t to) {
+    if (image.depth[from] != Image::kMiss)
+      colors_[to] = scene::blended(colorOf(image, from, encodes), colors_[to]);
+  });
+}
+
+void Canvas::addSums(const Image& image) {
+  eachValue(image, [&](size_t from, size_t to) {
+    const float* const sums = &image.wideColor[4 * from];
+    const float opacity = 1 - image.transmittance[from];
+    if (!(sums[3] > 0) || !(opacity > 0)) return;
+    const float share = opacity / sums[3];
+    const float color[4] = {sums[0] * share, sums[1] * share, sums[2] * share, opacity};
+    colors_[to] = scene::blended(bytesOf(color, false), colors_[to]);
+  });
+}
+
+std::vector<uint32_t> Canvas::colors() const {
+  const size_t pixels = colors_.size() / static_cast<size_t>(samples_);
+  const auto count = static_cast<uint32_t>(samples_);
+  std::vector<uint32_t> means(pixels);
+  for (size_t i = 0; i < pixels; ++i)
+    for (int shift = 0; shift < 32; shift += 8) {
+      uint32_t sum = 0;
+      for (size_t at = i; at < colors_.size(); at += pixels) sum += colors_[at] >> shift & 255u;
+      means[i] |= (sum + count / 2) / count << shift;
+    }
+  return means;
+}
+
+std::vector<float> Canvas::opaqueDepths(const scene::Region& part) const {
+  std::vector<float> depths(pixelsOf(part), -1.0f);
+  const Canvas first(part, 1);
+  first.eachValue(shapeOf(region_), [&](size_t from, size_t to) {
+    if (depths_[from] != Image::kMiss) depths[to] = depths_[from];
+  });
+  return depths;
+}
+
+std::vector<uint32_t> Canvas::colors(const scene::Region& part) const {
+  std::vector<uint32_t> colors(pixelsOf(part));
+  const Canvas first(part, 1);
+  first.eachValue(shapeOf(region_), [&](size_t from, size_t to) { colors[to] = colors_[from]; });
+  return colors;
+}
+
+}  // namespace gluray::saved

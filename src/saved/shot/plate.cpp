@@ -1,0 +1,110 @@
+#include "saved/shot/plate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace gluray::saved {
+namespace {
+
+constexpr uint32_t kOpaque = 0xff000000u;
+constexpr int kAlike = 24;  // difference of channels, 0 .. 255: noise and antialiasing change less
+
+int channelOf(uint32_t color, int channel) { return static_cast<int>(color >> (8 * channel) & 255u); }
+
+bool areAlike(uint32_t a, uint32_t b) {
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(channelOf(a, c) - channelOf(b, c)) > kAlike) return false;
+  return true;
+}
+
+/// The mean of four neighbouring pixels by distance; the nearest ones beside the image.
+uint32_t sampled(const std::vector<uint32_t>& pixels, int width, int height, const glm::dvec2& place) {
+  const glm::dvec2 at = place - 0.5, low = glm::floor(at), share = at - low;
+  const auto pixel = [&](int dx, int dy) {
+    const int x = std::clamp(static_cast<int>(low.x) + dx, 0, width - 1),
+              y = std::clamp(static_cast<int>(low.y) + dy, 0, height - 1);
+    return pixels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];
+  };
+  const std::array<uint32_t, 4> near = {pixel(0, 0), pixel(1, 0), pixel(0, 1), pixel(1, 1)};
+  if (near[0] == near[1] && near[0] == near[2] && near[0] == near[3]) return near[0];
+  uint32_t mean = 0;
+  for (int c = 0; c < 4; ++c) {
+    const double below = channelOf(near[0], c) * (1 - share.x) + channelOf(near[1], c) * share.x,
+                 above = channelOf(near[2], c) * (1 - share.x) + channelOf(near[3], c) * share.x;
+    mean |= static_cast<uint32_t>(std::lround(below * (1 - share.y) + above * share.y)) << (8 * c);
+  }
+  return mean;
+}
+
+}  // namespace
+
+Plate::Plate(const SavedPicture& shown, const std::vector<uint32_t>& traced)
+    : width_(shown.width), height_(shown.height), background_(shown.pixels), overlay_(traced.size()) {
+  isBackground_.resize(traced.size());
+  for (size_t i = 0; i < traced.size(); ++i) {
+    const uint32_t alpha = traced[i] >> 24;
+    background_[i] |= kOpaque;
+    isBackground_[i] = alpha == 0;
+    if (alpha == 255 && !areAlike(traced[i], shown.pixels[i]))
+      overlay_[i] = shown.pixels[i] | kOpaque, ++overlays_;
+  }
+  fillBehind(isBackground_);
+}
+
+/// Gives unknown pixels the colour of the nearest known one, ring by ring.
+void Plate::fillBehind(std::vector<uint8_t> known) {
+  std::vector<uint32_t> ring, next;
+  for (size_t i = 0; i < known.size(); ++i)
+    if (known[i]) ring.push_back(static_cast<uint32_t>(i));
+  while (!ring.empty()) {
+    next.clear();
+    for (const uint32_t from : ring) {
+      const int x = static_cast<int>(from) % width_, y = static_cast<int>(from) / width_;
+      const auto take = [&](int u, int v) {
+        if (u < 0 || v < 0 || u >= width_ || v >= height_) return;
+        const auto to = static_cast<uint32_t>(v * width_ + u);
+        if (known[to]) return;
+        known[to] = 1, background_[to] = background_[from];
+        next.push_back(to);
+      };
+      take(x - 1, y), take(x + 1, y), take(x, y - 1), take(x, y + 1);
+    }
+    ring.swap(next);
+  }
+}
+
+uint32_t Plate::backgroundAt(const glm::dvec2& place) const {
+  return empty() ? 0 : sampled(background_, width_, height_, place);
+}
+
+uint32_t Plate::overlayAt(const glm::dvec2& place) const {
+  return overlays_ == 0 ? 0 : sampled(overlay_, width_, height_, place);
+}
+
+void Plate::clearBackground() {
+  std::vector<int> values;
+  std::vector<uint8_t> rows(static_cast<size_t>(height_));
+  for (int y = 0; y < height_; ++y) {
+    const auto first = static_cast<size_t>(y) * static_cast<size_t>(width_);
+    uint32_t middle = kOpaque;
+    for (int c = 0; c < 3; ++c) {
+      values.clear();
+      for (size_t i = first; i < first + static_cast<size_t>(width_); ++i)
+        if (isBackground_[i]) values.push_back(channelOf(background_[i], c));
+      if (values.empty()) break;
+      const auto half = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+      std::nth_element(values.begin(), half, values.end());
+      middle |= static_cast<uint32_t>(*half) << (8 * c);
+    }
+    rows[static_cast<size_t>(y)] = !values.empty();
+    std::fill_n(background_.begin() + static_cast<ptrdiff_t>(first), width_, middle);
+  }
+  std::vector<uint8_t> known(background_.size());
+  for (size_t i = 0; i < known.size(); ++i) known[i] = rows[i / static_cast<size_t>(width_)];
+  fillBehind(std::move(known));
+  overlays_ = 0;
+}
+
+}  // namespace gluray::saved
