@@ -26,7 +26,8 @@ ALLOWED = {
     "frame": {"base", "settings", "scene", "parallel", "accel", "render"},
     "control": {"base", "settings"},
     "cluster": {"base", "settings", "scene", "parallel", "accel", "render", "frame", "control"},
-    "intercept": {"base", "settings", "scene", "parallel", "gl", "accel", "render", "frame", "control", "cluster"},
+    "saved": {"base", "settings", "scene", "parallel", "accel", "render", "frame", "control", "cluster"},
+    "intercept": {"base", "settings", "scene", "parallel", "gl", "accel", "render", "frame", "control", "cluster", "saved"},
     "osmesa": {"intercept"},  # its header of OSMesa's interface alone
 }
 # The folders of a room in a fixed order: each includes only itself and those before it, so that there is no circle among them.
@@ -46,6 +47,7 @@ FOLDERS = {
     "control": ["", "messages", "auth", "connection", "client", "link/program", "link", "hub", "hub/server"],
     "cluster": ["stream", "messages", "local", "ranks", "ranks/mpi", "program", "arrays", "shares", "pages", "peers", "gather",
                 "worker/facts", "worker/moving", "worker"],
+    "saved": ["export/arrays", "export/gather", "export/formats", "export"],
     "intercept": ["doors", "stubs", "probe", "session", "window_systems", "present/state", "present/read_back", "present/write_back",
                   "present/raster", "present", "tracing", "hud", "windows", "contexts", "reports", "control", "frames", "hooks", ""],
 }
