@@ -132,6 +132,8 @@ scene::Snapshot mapped() {
   t.image = image;
   t.magFilter = t.minFilter = scene::Filter::nearest;
   f.map = {t};
+  s.camera.clipFromEye = glm::ortho(-1.5, 1.5, -1.5, 1.5, 0.5, 50.0);
+  s.camera.clipFromEye = glm::translate(glm::dmat4(1), {0.4, 0.4, 0}) * s.camera.clipFromEye;
   return s;
 }
 
