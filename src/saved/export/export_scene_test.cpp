@@ -127,6 +127,19 @@ TEST(ExportScene, KeepsTheLastFileInAFolderThatMayOnlyBeRead) {
   EXPECT_EQ(files.names(), std::set<std::string>{"a.glb"});
 }
 
+TEST(ExportScene, RefusesFilesThatTheFormatCannotHold) {
+  // Every vertex is the same one in memory.
+  auto mesh = std::const_pointer_cast<scene::Mesh>(test::makeMesh(test::squareData()));
+  mesh->indices = {}, mesh->positions.stride = 0;
+  mesh->vertexCount = 360'000'000, mesh->triangleCount = mesh->vertexCount / 3;
+  const TemporaryFolderFiles files;
+  const auto s = std::make_shared<const scene::Snapshot>(test::makeSnapshot({mesh}));
+  const ExportResult result = exportScene({s}, files.file("a.glb"), SceneFormat::glb);
+  EXPECT_FALSE(result.written);
+  EXPECT_NE(result.why.find("glTF files have at most 4 GiB"), std::string::npos) << result.why;
+  EXPECT_TRUE(files.names().empty());
+}
+
 TEST(ExportScene, SaysWhatToDoAboutNames) {
   const TemporaryFolderFiles files;
   const auto why = [&](const std::string& file) {

@@ -104,6 +104,16 @@ TEST(GlbGeometry, InstancesShareAMesh) {
   EXPECT_EQ(exported(s).gltf["meshes"].size(), 1u);
 }
 
+TEST(GlbGeometry, IsWrittenOnceWhereItIsDrawnAgain) {
+  scene::Snapshot s = test::makeSnapshot({test::makeMesh(test::squareData())});
+  EXPECT_EQ(exported({s, s}).meshNodes().size(), 1u);
+  scene::Snapshot depths = s;
+  depths.instances[0].mesh = test::makeMesh(test::squareData(0.5f));
+  EXPECT_EQ(exported({depths, s}).meshNodes().size(), 2u);
+  depths.colorWrites = {false, false, false, false};
+  EXPECT_EQ(exported({depths, s}).meshNodes().size(), 1u) << "depths alone show nothing";
+}
+
 TEST(GlbGeometry, OfLaterBatchesIsInTheWorldOfTheFirst) {
   scene::Snapshot first = test::makeSnapshot({test::makeMesh(test::squareData())});
   first.eyeFromWorld = glm::rotate(glm::dmat4(1), 0.3, {1, 2, 3});
@@ -123,6 +133,25 @@ TEST(GlbGeometry, OfLaterBatchesIsInTheWorldOfTheFirst) {
   EXPECT_EQ(views.gltf["scenes"].size(), 2u) << "another view is another scene";
   EXPECT_EQ(views.gltf["scene"], 0);
   EXPECT_EQ(notes.size(), 1u);
+}
+
+TEST(GlbGeometry, ViewsAreThoseOfCameras) {
+  scene::Snapshot first = test::makeSnapshot({test::makeMesh(test::squareData())});
+  first.camera.clipFromEye = glm::perspective(0.7, 1.0, 0.1, 10.0);
+  first.view = 1;
+  scene::Snapshot further = first, layers = first, overlay = first;
+  further.camera.clipFromEye = glm::perspective(0.7, 1.0, 10.0, 100.0);
+  layers.layers = std::make_shared<scene::Layers>();
+  layers.view = 2;
+  overlay.camera.clipFromEye = glm::ortho(0.0, 16.0, 0.0, 16.0);
+  const auto scenes = [](const std::vector<scene::Snapshot>& batches) {
+    return exported(batches).gltf["scenes"].size();
+  };
+  EXPECT_EQ(scenes({first, further}), 1u) << "a view in two parts of its depth";
+  EXPECT_EQ(scenes({first, layers}), 1u) << "layers in a framebuffer of their own";
+  EXPECT_EQ(scenes({first, overlay}), 2u);
+  layers.camera.viewport = {0, 0, 8, 8};
+  EXPECT_EQ(scenes({first, layers}), 2u);
 }
 
 TEST(GlbGeometry, ShearIsPutIntoVertices) {

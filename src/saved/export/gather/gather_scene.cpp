@@ -7,12 +7,16 @@
 #include "saved/export/gather/gather_materials.h"
 #include "saved/export/gather/gather_view.h"
 #include "saved/export/gather/scene_parts.h"
+#include "saved/export/gather/scene_views.h"
 #include "saved/export/gather/shown_impostors.h"
 #include "scene/failure.h"
 #include "scene/secondary_scene.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace gluray::saved {
@@ -36,12 +40,14 @@ class ViewGatherer {
   ViewGatherer(ExportedScene& scene, SceneParts& parts, const Abilities& abilities)
       : scene_(scene), parts_(parts), abilities_(abilities), surfaces_(abilities, parts, scene.notes) {}
 
-  void add(const std::vector<const Snapshot*>& batches) {
+  void add(const ViewBatches& batches) {
     scene_.views.emplace_back();
-    const glm::dmat4 worldFromEye = glm::inverse(batches.front()->eyeFromWorld);
-    for (const Snapshot* s : batches) addBatch(*s, worldFromEye);
+    placed_.clear();
+    const Snapshot& first = *batches.front().snapshot;
+    const glm::dmat4 worldFromEye = glm::inverse(first.eyeFromWorld);
+    for (const ViewBatch& batch : batches) addBatch(*batch.snapshot, worldFromEye * batch.viewFromEye);
     if (!abilities_.camera) return;
-    gatherCamera(*batches.front(), scene_.views.back(), scene_.notes);
+    gatherCamera(first, scene_.views.back(), scene_.notes);
     gatherLights(batches, worldFromEye, scene_.views.back(), scene_.notes);
   }
 
@@ -52,7 +58,8 @@ class ViewGatherer {
     if (s.backdrop) scene_.note("the background of the settings was left out");
     if (s.catches || (s.secondaryScene && !s.secondaryScene->captures.empty()))
       scene_.note("surfaces that the real OpenGL drew were left out");
-    if (s.catches) return;
+    const scene::ColorWrites& writes = s.colorWrites;
+    if (s.catches || !(writes.red || writes.green || writes.blue)) return;
     render::HonestLook honest(s);
     std::vector<render::Lighting> lightings;
     for (const scene::Shading& shading : honest.shadings()) lightings.emplace_back(shading);
@@ -184,11 +191,14 @@ class ViewGatherer {
     return ccwIsShown == (glm::determinant(world) < 0);
   }
 
+  /// Adds a node, unless the view has an equal one: programs draw surfaces again for a part of their look.
   void place(ExportedMesh mesh, const glm::dmat4& world, uint32_t object) {
     const bool plain = isDecomposable(world);
     if (!plain) mesh = moved(mesh, world);
-    scene_.views.back().nodes.push_back(
-        {parts_.mesh(std::move(mesh)), plain ? world : glm::dmat4(1), object});
+    const ExportedNode node{parts_.mesh(std::move(mesh)), plain ? world : glm::dmat4(1), object};
+    std::pair<size_t, std::array<double, 16>> key{node.mesh, {}};
+    std::memcpy(key.second.data(), &node.worldFromMesh, sizeof node.worldFromMesh);
+    if (placed_.insert(key).second) scene_.views.back().nodes.push_back(node);
   }
 
   void addShapes(const Snapshot& s, const render::Surface& surface, const scene::Shading& given,
@@ -257,24 +267,14 @@ class ViewGatherer {
   const Abilities& abilities_;
   ShownSurfaces surfaces_;
   std::array<ExportedMesh, kRoundForms> units_;
+  std::set<std::pair<size_t, std::array<double, 16>>> placed_;  // of the view
 };
-
-int64_t pixelsOf(const Snapshot& s) { return int64_t{s.camera.viewport.z} * s.camera.viewport.w; }
 
 }  // namespace
 
 ExportedScene gatherScene(const std::vector<scene::SnapshotPtr>& batches, const Abilities& abilities) {
-  std::vector<std::vector<const Snapshot*>> views;
-  std::map<uint64_t, size_t> places;
-  for (const scene::SnapshotPtr& s : batches) {
-    if (!s) continue;
-    const size_t at = places.emplace(s->view, views.size()).first->second;
-    if (at == views.size()) views.emplace_back();
-    views[at].push_back(s.get());
-  }
-  std::stable_sort(views.begin(), views.end(),
-                   [](const auto& a, const auto& b) { return pixelsOf(*a.front()) > pixelsOf(*b.front()); });
   ExportedScene scene;
+  std::vector<ViewBatches> views = sceneViewsOf(batches);
   if (views.size() > 1 && !abilities.otherViews) {
     scene.note("of several views, the largest was written");
     views.resize(1);
@@ -283,7 +283,7 @@ ExportedScene gatherScene(const std::vector<scene::SnapshotPtr>& batches, const 
   }
   SceneParts parts(scene);
   ViewGatherer gatherer(scene, parts, abilities);
-  for (const auto& view : views) gatherer.add(view);
+  for (const ViewBatches& view : views) gatherer.add(view);
   return scene;
 }
 

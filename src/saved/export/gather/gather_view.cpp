@@ -72,9 +72,9 @@ void gatherCamera(const scene::Snapshot& first, ExportedView& view, Notes& notes
   } catch (const std::exception&) { notes.insert(kOther); }
 }
 
-void gatherLights(const std::vector<const scene::Snapshot*>& batches, const glm::dmat4& worldFromEye,
-                  ExportedView& view, Notes& notes) {
-  for (const scene::Snapshot* s : batches)
+void gatherLights(const ViewBatches& batches, const glm::dmat4& worldFromEye, ExportedView& view,
+                  Notes& notes) {
+  for (const auto& [s, viewFromEye] : batches)
     for (const scene::Instance& instance : s->instances) {
       const scene::Shading& shading = s->shadings[instance.shading];
       if (!scene::isLit(shading) || instance.ground) continue;
@@ -82,13 +82,14 @@ void gatherLights(const std::vector<const scene::Snapshot*>& batches, const glm:
         if (!isBlack(light.source)) view.lights.push_back(std::move(light));
       };
       if (!scene::isProgram(shading)) {
-        for (const scene::Light& light : shading.lights) add(inWorld(render::sourceOf(light), worldFromEye));
+        for (const scene::Light& light : shading.lights)
+          add(inWorld(render::sourceOf(light), worldFromEye * viewFromEye));
       } else {
         const glm::dmat4 eyeFrom = render::eyeFromLighting(instance, shading, frame::Viewer(*s).away());
         for (const scene::FragmentLight& light : shading.fragment.lights)
           add(light.kind == scene::FragmentLight::headlight
                   ? headlight(light.color)
-                  : inWorld(render::sourceOf(light, eyeFrom), worldFromEye));
+                  : inWorld(render::sourceOf(light, eyeFrom), worldFromEye * viewFromEye));
         if (shading.fragment.pbr.environment.on())
           notes.insert("light from images of an environment was left out");
       }

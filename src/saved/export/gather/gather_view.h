@@ -1,6 +1,7 @@
 // Camera and lights of a view, for files. Any thread.
 #pragma once
 #include "saved/export/gather/exported_scene.h"
+#include "saved/export/gather/scene_views.h"
 #include "saved/export/gather/shown_colors.h"
 #include "scene/snapshot.h"
 
@@ -10,7 +11,6 @@ namespace gluray::saved {
 void gatherCamera(const scene::Snapshot& first, ExportedView&, Notes&);
 
 /// Sets the view's lights: the program's, of the first surface that is lit.
-void gatherLights(const std::vector<const scene::Snapshot*>& batches, const glm::dmat4& worldFromEye,
-                  ExportedView&, Notes&);
+void gatherLights(const ViewBatches& batches, const glm::dmat4& worldFromEye, ExportedView&, Notes&);
 
 }  // namespace gluray::saved
