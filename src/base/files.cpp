@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -161,15 +162,50 @@ std::string replace(const std::string& path, std::string_view content) {
     return left.empty() ? "" : "its reader is too slow";
   }
   if (isNull(path)) return "";
-  const auto [mode, problem] = inspect(path);
-  if (!problem.empty()) return problem;
-  const auto [file, draft] = openDraft(path, mode);
-  if (file < 0) return reason(errno);
-  std::string why = writeAll(file, content) ? "" : reason(errno);
-  if (::close(file) != 0 && why.empty()) why = reason(errno);
-  if (why.empty()) return place(draft, path);
-  unlink(draft.c_str());
-  return why;
+  Draft draft(path);
+  if (draft.write(content)) draft.place();
+  return draft.why();
+}
+
+Draft::Draft(const std::string& path) : path_(path) {
+  if (isStream(path)) {
+    why_ = "it is not a regular file";
+    return;
+  }
+  errno = 0;
+  mode_t mode = 0;
+  std::tie(mode, why_) = inspect(path);
+  if (!why_.empty()) {
+    error_ = errno;
+    return;
+  }
+  std::tie(file_, draft_) = openDraft(path, mode);
+  if (file_ >= 0) return;
+  fail(errno);
+  draft_.clear();
+}
+
+Draft::~Draft() {
+  if (file_ >= 0) ::close(file_);
+  if (!draft_.empty()) unlink(draft_.c_str());
+}
+
+bool Draft::fail(int error) {
+  if (why_.empty()) error_ = error, why_ = reason(error);
+  return false;
+}
+
+bool Draft::write(std::string_view content) {
+  if (!why_.empty()) return false;
+  return writeAll(file_, content) || fail(errno);
+}
+
+bool Draft::place() {
+  if (!why_.empty()) return false;
+  const int file = std::exchange(file_, -1);
+  if (::close(file) != 0 || rename(draft_.c_str(), path_.c_str()) != 0) return fail(errno);
+  draft_.clear();
+  return true;
 }
 
 Opened start(const std::string& path) {

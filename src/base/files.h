@@ -20,6 +20,32 @@ bool isOutput(const std::string& path);
 /// directly to a stream.
 std::string replace(const std::string& path, std::string_view content);
 
+/// A file that is written in parts and replaces `path` when it is complete: until place() succeeds, the old
+/// file stays. Not for streams. One thread.
+class Draft {
+ public:
+  explicit Draft(const std::string& path);
+  /// Removes what place() has not put in place.
+  ~Draft();
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+
+  /// Appends to the file. Returns false after an error; then nothing more is written.
+  bool write(std::string_view content);
+  /// Puts the file in the place of `path`. Returns false after an error, this one's or an earlier one.
+  bool place();
+  /// The first error, empty if there is none.
+  const std::string& why() const { return why_; }
+  /// Its errno; 0 if there is none, or none from the system.
+  int error() const { return error_; }
+
+ private:
+  bool fail(int error);
+
+  std::string path_, draft_, why_;
+  int file_ = -1, error_ = 0;
+};
+
 /// An output that is written over time: a stream of the process, or a file that stays open.
 struct Opened {
   GlurayOutput output = glurayNoOutput();

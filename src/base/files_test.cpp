@@ -56,6 +56,28 @@ TEST_F(Files, WholeFilesAreReplaced) {
   EXPECT_EQ(names(), std::set<std::string>{"a"});
 }
 
+TEST_F(Files, DraftsTakeThePlaceOfFilesWhenComplete) {
+  put("a", "old");
+  {
+    Draft draft(path("a"));
+    EXPECT_TRUE(draft.write("one, ")) << draft.why();
+    EXPECT_TRUE(draft.write("two"));
+    EXPECT_EQ(textOf(path("a")), "old");
+    EXPECT_EQ(names().size(), 2u) << "the file and its draft";
+    EXPECT_TRUE(draft.place()) << draft.why();
+  }
+  EXPECT_EQ(textOf(path("a")), "one, two");
+  EXPECT_TRUE(Draft(path("a")).write("gone"));
+  EXPECT_EQ(textOf(path("a")), "one, two");
+  EXPECT_EQ(names(), std::set<std::string>{"a"});
+  Draft missing(path("no/file"));
+  EXPECT_FALSE(missing.write("x"));
+  EXPECT_FALSE(missing.place());
+  EXPECT_EQ(missing.error(), ENOENT);
+  EXPECT_EQ(missing.why(), "No such file or directory");
+  EXPECT_EQ(Draft("/dev/null").why(), "it is not a regular file");
+}
+
 TEST_F(Files, FilesInTheWorkingDirectoryNeedNoFolder) {
   const fs::path before = fs::current_path();
   fs::current_path(folder_.path());

@@ -1,0 +1,290 @@
+#include "saved/export/gather/gather_scene.h"
+
+#include "accel/rays/ray_kind.h"
+#include "render/bsdf/object_rules.h"
+#include "render/local/honest_look.h"
+#include "render/local/lighting_space.h"
+#include "saved/export/gather/gather_materials.h"
+#include "saved/export/gather/gather_view.h"
+#include "saved/export/gather/scene_parts.h"
+#include "saved/export/gather/scene_views.h"
+#include "saved/export/gather/shown_impostors.h"
+#include "scene/failure.h"
+#include "scene/secondary_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace gluray::saved {
+namespace {
+
+using scene::Instance;
+using scene::Shape;
+using scene::Snapshot;
+
+/// Shapes that become nodes of one mesh; more are merged into one.
+constexpr size_t kMostNodes = 4096, kMostColors = 256;
+
+/// Edges of a quarter of a circle.
+int resolutionFor(size_t shapes) {
+  constexpr size_t kMany = 20'000, kVeryMany = 200'000;
+  return shapes <= kMostNodes ? 16 : shapes <= kMany ? 8 : shapes <= kVeryMany ? 4 : 2;
+}
+
+class ViewGatherer {
+ public:
+  ViewGatherer(ExportedScene& scene, SceneParts& parts, const Abilities& abilities)
+      : scene_(scene), parts_(parts), abilities_(abilities), surfaces_(abilities, parts, scene.notes) {}
+
+  void add(const ViewBatches& batches) {
+    scene_.views.emplace_back();
+    placed_.clear();
+    const Snapshot& first = *batches.front().snapshot;
+    const glm::dmat4 worldFromEye = glm::inverse(first.eyeFromWorld);
+    for (const ViewBatch& batch : batches) addBatch(*batch.snapshot, worldFromEye * batch.viewFromEye);
+    if (!abilities_.camera) return;
+    gatherCamera(first, scene_.views.back(), scene_.notes);
+    gatherLights(batches, worldFromEye, scene_.views.back(), scene_.notes);
+  }
+
+ private:
+  void addBatch(const Snapshot& s, const glm::dmat4& worldFromEye) {
+    if (!s.volumes.empty()) scene_.note("volumes were left out");
+    if (s.ground == scene::GroundUse::drawn) scene_.note("the ground of the settings was left out");
+    if (s.backdrop) scene_.note("the background of the settings was left out");
+    if (s.catches || (s.secondaryScene && !s.secondaryScene->captures.empty()))
+      scene_.note("surfaces that the real OpenGL drew were left out");
+    const scene::ColorWrites& writes = s.colorWrites;
+    if (s.catches || !(writes.red || writes.green || writes.blue)) return;
+    render::HonestLook honest(s);
+    std::vector<render::Lighting> lightings;
+    for (const scene::Shading& shading : honest.shadings()) lightings.emplace_back(shading);
+    const render::View view(s.camera);
+    const render::ObjectRules rules(s.settings);
+    for (size_t i = 0; i < s.instances.size(); ++i) {
+      const Instance& instance = s.instances[i];
+      const bool hidden = rules.hiddenFrom(instance).value_or(0) & accel::bitOf(accel::RayKind::camera);
+      const bool never = s.shadings[instance.shading].alphaTest.function == scene::AlphaTest::never;
+      if (hidden || never || instance.ground || instance.cull == scene::CullFace::both ||
+          instance.mesh->triangleCount == 0)
+        continue;
+      try {
+        render::Surface surface = render::makeSurface(view, instance, lightings[instance.shading], true);
+        honest.apply(i, surface);
+        addInstance(s, surface, s.shadings[instance.shading], worldFromEye);
+      } catch (const scene::Untraceable&) {
+        scene_.note("surfaces without a place, whose matrix has no inverse, were left out");
+      }
+    }
+  }
+
+  void addInstance(const Snapshot& s, const render::Surface& surface, const scene::Shading& given,
+                   const glm::dmat4& worldFromEye) {
+    const Instance& instance = *surface.instance;
+    if (instance.mesh->residence)
+      return scene_.note("surfaces larger than this machine's memory were left out");
+    glm::dmat4 world = worldFromEye * instance.eyeFromObject;
+    // Products with an inverse are the identity only up to rounding.
+    if (worldFromEye == glm::inverse(instance.eyeFromObject)) world = glm::dmat4(1);
+    switch (instance.mesh->shape) {
+      case Shape::triangles: return addMesh(s, surface, given, world, MeshMode::triangles);
+      case Shape::tubes: return addMesh(s, surface, given, world, MeshMode::lines);
+      case Shape::beads:
+      case Shape::splats: return addMesh(s, surface, given, world, MeshMode::points);
+      default: return addShapes(s, surface, given, world);
+    }
+  }
+
+  CornersPtr cornersFor(const render::Surface& surface, const SourcePtr& positions) {
+    const scene::MeshPtr& mesh = surface.instance->mesh;
+    const bool finite = parts_.extent(positions).finite;
+    if (finite && !changeByTriangle(surface)) return nullptr;
+    auto corners = std::make_shared<Corners>();
+    corners->mesh = mesh, corners->each = cornersOf(mesh->shape);
+    if (!finite) {
+      scene_.note("triangles, lines and points with places that are no numbers were left out");
+      corners->primitives = finitePrimitives(*mesh), corners->all = false;
+    }
+    return parts_.corners(mesh, corners);
+  }
+
+  void addMesh(const Snapshot& s, const render::Surface& surface, const scene::Shading& given,
+               const glm::dmat4& world, MeshMode mode) {
+    if (mode == MeshMode::lines && !abilities_.lines) return scene_.note("lines were left out");
+    const scene::MeshPtr& mesh = surface.instance->mesh;
+    ExportedMesh out;
+    out.mode = mode;
+    out.positions = sourceOf(mesh, mesh->positions, nullptr, kPositions);
+    const CornersPtr corners = cornersFor(surface, out.positions);
+    if (corners) out.positions = sourceOf(mesh, mesh->positions, corners, kPositions);
+    if (out.positions->count() == 0) return;
+    out.indices = indicesOf(mesh, corners);
+    if (out.indices && out.indices->count() == 0) return;
+    ShownSurface shown = surfaces_.of(surface, given, s, corners);
+    if (mode == MeshMode::triangles) {
+      addNormals(surface, given, corners, out);
+      out.tangents = shown.tangents;
+      if (isReversed(surface, world)) out.indices = reversedOnce(out);
+    } else {
+      scene_.note("points and lines have no widths in files");
+      shown.material.unlit = true;
+    }
+    out.colors = shown.colors, out.texcoords = shown.texcoords;
+    out.material = parts_.material(shown.material);
+    place(std::move(out), world, surface.instance->object.value);
+  }
+
+  SourcePtr sourceOf(const scene::MeshPtr& mesh, const scene::Attribute& a, const CornersPtr& corners,
+                     SourceUse use) {
+    return parts_.source(
+        {a.data, corners.get(), a.stride, corners ? corners->count() : mesh->vertexCount, use}, [&] {
+          SourcePtr all = attributeArray(mesh, a, Element::float3, corners);
+          return use == kNormals ? unitArray(std::move(all)) : all;
+        });
+  }
+
+  SourcePtr indicesOf(const scene::MeshPtr& mesh, const CornersPtr& corners) {
+    const size_t count = static_cast<size_t>(mesh->triangleCount) * cornersOf(mesh->shape);
+    return parts_.source({mesh->indices.data, corners.get(), 0, count, kIndices},
+                         [&] { return indexArray(mesh, corners); });
+  }
+
+  SourcePtr reversedOnce(const ExportedMesh& mesh) {
+    const size_t count = mesh.elementCount();
+    return parts_.source({mesh.indices.get(), nullptr, 0, count, kReversed},
+                         [&] { return reversedIndices(mesh.indices, count); });
+  }
+
+  void addNormals(const render::Surface& surface, const scene::Shading& given, const CornersPtr& corners,
+                  ExportedMesh& out) {
+    const scene::MeshPtr& mesh = surface.instance->mesh;
+    const bool flat = scene::isProgram(given)
+                          ? given.fragment.normals != scene::FragmentShading::Normals::vertices
+                          : !given.smooth;
+    if (flat || !mesh->normals) return;
+    out.normals = sourceOf(mesh, mesh->normals, corners, kNormals);
+    if (surface.eyeFromVertexNormal == surface.eyeFromObjectNormal) return;
+    // The program turns normals by a matrix of its own: those that nodes turn to the same directions.
+    struct Turn {
+      glm::mat3 m;
+      void operator()(const glm::vec3* in, glm::vec3* out) const {
+        const glm::vec3 v = m * *in;
+        const float length = glm::length(v);
+        *out = length > 0 ? v / length : *in;
+      }
+    };
+    const glm::mat3 objectFromEye = glm::transpose(glm::mat3(surface.eyeFromObject));
+    out.normals = changedArray<glm::vec3, glm::vec3>(out.normals, Element::float3,
+                                                     Turn{objectFromEye * surface.eyeFromVertexNormal});
+  }
+
+  /// Whether triangles must turn so that their fronts are what the program shows or, where it shows both
+  /// sides, what their normals say.
+  static bool isReversed(const render::Surface& surface, const glm::dmat4& world) {
+    const Instance& instance = *surface.instance;
+    if (instance.cull == scene::CullFace::none) return isInsideOut(*instance.mesh);
+    const bool ccwIsShown = (instance.cull == scene::CullFace::back) == instance.frontFaceCcw;
+    return ccwIsShown == (glm::determinant(world) < 0);
+  }
+
+  /// Adds a node, unless the view has an equal one: programs draw surfaces again for a part of their look.
+  void place(ExportedMesh mesh, const glm::dmat4& world, uint32_t object) {
+    const bool plain = isDecomposable(world);
+    if (!plain) mesh = moved(mesh, world);
+    const ExportedNode node{parts_.mesh(std::move(mesh)), plain ? world : glm::dmat4(1), object};
+    std::pair<size_t, std::array<double, 16>> key{node.mesh, {}};
+    std::memcpy(key.second.data(), &node.worldFromMesh, sizeof node.worldFromMesh);
+    if (placed_.insert(key).second) scene_.views.back().nodes.push_back(node);
+  }
+
+  void addShapes(const Snapshot& s, const render::Surface& surface, const scene::Shading& given,
+                 const glm::dmat4& world) {
+    const Instance& instance = *surface.instance;
+    ShownSurface shown = surfaces_.of(surface, given, s, nullptr);
+    const ShownColors colors{shown.material.color, shown.colors};
+    const bool flat = !scene::isProgram(given) && !given.smooth;
+    std::vector<RoundShape> shapes = shapesOf(instance, s.camera, colors, flat, scene_.notes);
+    if (shapes.empty()) return;
+    const glm::dmat4 placed = world * glm::inverse(glm::dmat4(instance.lightingFromObject));
+    shown.material.color = glm::vec4(1), shown.material.doubleSided = false;
+    std::map<std::array<float, 4>, int> kinds;
+    const bool plain =
+        std::all_of(shapes.begin(), shapes.end(), [](const auto& one) { return one.isPlain(); });
+    for (size_t i = 0; i < shapes.size() && kinds.size() <= kMostColors; ++i) {
+      const glm::vec4& c = shapes[i].color[0];
+      ++kinds[{c.x, c.y, c.z, c.w}];
+    }
+    const bool nodes = abilities_.instances && plain && shapes.size() <= kMostNodes &&
+                       kinds.size() <= kMostColors && isDecomposable(placed);
+    if (!nodes) return addMerged(std::move(shapes), shown.material, placed, instance.object.value);
+    for (const RoundShape& shape : shapes) {
+      ExportedMaterial material = shown.material;
+      material.color = shape.color[0];
+      material.doubleSided = shape.form == RoundForm::disc || shape.form == RoundForm::openTube;
+      ExportedMesh mesh = unitMesh(shape.form);
+      mesh.material = parts_.material(material);
+      place(std::move(mesh), placed * shape.placed(), instance.object.value);
+    }
+  }
+
+  ExportedMesh unitMesh(RoundForm form) {
+    ExportedMesh& kept = units_[static_cast<size_t>(form)];
+    if (!kept.positions) {
+      UnitShape unit = unitShape(form, resolutionFor(0));
+      kept.positions = ownArray(Element::float3, std::move(unit.positions));
+      kept.normals = ownArray(Element::float3, std::move(unit.normals));
+      kept.indices = ownArray(Element::uint32, std::move(unit.indices));
+    }
+    return kept;
+  }
+
+  void addMerged(std::vector<RoundShape> shapes, ExportedMaterial material, const glm::dmat4& placed,
+                 uint32_t object) {
+    const int quarter = resolutionFor(shapes.size());
+    std::array<std::vector<RoundShape>, kRoundForms> byForm;
+    for (const RoundShape& shape : shapes) byForm[static_cast<size_t>(shape.form)].push_back(shape);
+    for (std::vector<RoundShape>& some : byForm) {
+      if (some.empty()) continue;
+      material.doubleSided = some.front().form == RoundForm::disc || some.front().form == RoundForm::openTube;
+      const MergedShapes arrays = merged(std::move(some), quarter);
+      if (!arrays.positions) {
+        scene_.note("spheres and tubes that are too many for one file were left out");
+        continue;
+      }
+      ExportedMesh mesh;
+      mesh.positions = arrays.positions, mesh.normals = arrays.normals, mesh.indices = arrays.indices;
+      mesh.colors = arrays.colors, mesh.material = parts_.material(material);
+      place(std::move(mesh), placed, object);
+    }
+  }
+
+  ExportedScene& scene_;
+  SceneParts& parts_;
+  const Abilities& abilities_;
+  ShownSurfaces surfaces_;
+  std::array<ExportedMesh, kRoundForms> units_;
+  std::set<std::pair<size_t, std::array<double, 16>>> placed_;  // of the view
+};
+
+}  // namespace
+
+ExportedScene gatherScene(const std::vector<scene::SnapshotPtr>& batches, const Abilities& abilities) {
+  ExportedScene scene;
+  std::vector<ViewBatches> views = sceneViewsOf(batches);
+  if (views.size() > 1 && !abilities.otherViews) {
+    scene.note("of several views, the largest was written");
+    views.resize(1);
+  } else if (views.size() > 1) {
+    scene.note("several views were written as scenes of their own: many programs show the first");
+  }
+  SceneParts parts(scene);
+  ViewGatherer gatherer(scene, parts, abilities);
+  for (const ViewBatches& view : views) gatherer.add(view);
+  return scene;
+}
+
+}  // namespace gluray::saved

@@ -1,0 +1,107 @@
+#include "saved/export/gather/gather_view.h"
+
+#include "render/lights/light_conversion.h"
+#include "render/local/lighting_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+namespace gluray::saved {
+namespace {
+
+using scene::LightSource;
+
+/// The near plane of a projection, relative to its middle and to the viewer.
+struct NearPlane {
+  glm::dvec3 middle, right, up;
+  explicit NearPlane(const glm::dmat4& clipFromEye) {
+    const glm::dmat4 eyeFromClip = glm::inverse(clipFromEye);
+    const auto at = [&](double x, double y) {
+      const glm::dvec4 p = eyeFromClip * glm::dvec4(x, y, -1, 1);
+      return glm::dvec3(p) / p.w;
+    };
+    middle = at(0, 0), right = at(1, 0) - at(-1, 0), up = at(0, 1) - at(0, -1);
+  }
+};
+
+bool isSmall(double value, double against) {
+  constexpr double kTolerance = 1e-4;
+  return std::abs(value) <= kTolerance * against;
+}
+
+ExportedLight inWorld(const LightSource& source, const glm::dmat4& worldFromEye) {
+  ExportedLight light{source, false};
+  light.source.position = glm::vec3(worldFromEye * glm::dvec4(source.position, 1));
+  light.source.direction = glm::vec3(glm::normalize(glm::dmat3(worldFromEye) * glm::dvec3(source.direction)));
+  return light;
+}
+
+ExportedLight headlight(const glm::vec3& color) {
+  LightSource source;
+  source.color = color;
+  return {source, true};
+}
+
+bool isBlack(const LightSource& light) { return light.color == glm::vec3(0) || light.strength == 0; }
+
+}  // namespace
+
+void gatherCamera(const scene::Snapshot& first, ExportedView& view, Notes& notes) {
+  constexpr const char* kOther = "a camera that is neither a perspective nor a parallel view was left out";
+  try {
+    const frame::Viewer viewer(first);
+    const NearPlane plane(first.camera.clipFromEye);
+    const double width = glm::length(plane.right), height = glm::length(plane.up);
+    const glm::dvec3 sight = plane.middle - viewer.position();
+    const bool right = isSmall(glm::dot(plane.right, plane.up), width * height);
+    const bool mirrored = glm::dot(glm::cross(plane.right, plane.up), viewer.axes().front) < 0;
+    const frame::CameraDescription camera = frame::describeCamera(first);
+    const double numbers = camera.angle + camera.height + camera.near + camera.far + width / height;
+    if (!right || mirrored || !std::isfinite(numbers) || !(camera.far > camera.near) ||
+        (viewer.isPerspective() && !(camera.near > 0))) {
+      notes.insert(kOther);
+      return;
+    }
+    const double aside = glm::length(sight);
+    if (viewer.isPerspective() && !(isSmall(glm::dot(sight, plane.right), aside * width) &&
+                                    isSmall(glm::dot(sight, plane.up), aside * height)))
+      notes.insert("a camera whose image is not about its axis was written as one whose is");
+    view.camera = camera, view.aspect = width / height;
+  } catch (const std::exception&) { notes.insert(kOther); }
+}
+
+void gatherLights(const ViewBatches& batches, const glm::dmat4& worldFromEye, ExportedView& view,
+                  Notes& notes) {
+  for (const auto& [s, viewFromEye] : batches)
+    for (const scene::Instance& instance : s->instances) {
+      const scene::Shading& shading = s->shadings[instance.shading];
+      if (!scene::isLit(shading) || instance.ground) continue;
+      const auto add = [&](ExportedLight light) {
+        if (!isBlack(light.source)) view.lights.push_back(std::move(light));
+      };
+      if (!scene::isProgram(shading)) {
+        for (const scene::Light& light : shading.lights)
+          add(inWorld(render::sourceOf(light), worldFromEye * viewFromEye));
+      } else {
+        const glm::dmat4 eyeFrom = render::eyeFromLighting(instance, shading, frame::Viewer(*s).away());
+        for (const scene::FragmentLight& light : shading.fragment.lights)
+          add(light.kind == scene::FragmentLight::headlight
+                  ? headlight(light.color)
+                  : inWorld(render::sourceOf(light, eyeFrom), worldFromEye * viewFromEye));
+        if (shading.fragment.pbr.environment.on())
+          notes.insert("light from images of an environment was left out");
+      }
+      const auto distanceCounts = [](const ExportedLight& light) {
+        return light.source.kind != LightSource::Kind::distant;
+      };
+      if (std::any_of(view.lights.begin(), view.lights.end(), distanceCounts))
+        notes.insert(
+            "lights at places fade by the square of the distance in files: they were made as bright as "
+            "they are in the middle of the scene");
+      return;
+    }
+}
+
+}  // namespace gluray::saved
