@@ -8,7 +8,7 @@
 
 #include <array>
 #include <cerrno>
-#include <cstring>
+#include <cstddef>
 #include <stdexcept>
 #include <system_error>
 
@@ -56,7 +56,7 @@ BandFile::BandFile(std::string path, const BandPlan& plan) : path_(std::move(pat
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (descriptor_ < 0) fail(errno);
   Head head;
-  const bool same = readHead(descriptor_, head) && std::memcmp(&head.plan, &plan_, sizeof plan_) == 0;
+  const bool same = readHead(descriptor_, head) && head.plan == plan_;
   if (same) return;
   head = {}, head.plan = plan_;
   if (::ftruncate(descriptor_, 0) != 0 || !writeAll(descriptor_, &head, sizeof head, 0)) fail(errno);

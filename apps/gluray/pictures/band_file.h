@@ -11,6 +11,7 @@ namespace gluray::launcher {
 struct BandPlan {
   uint64_t low = 0, high = 0;  // a hash of the scene and of all that was asked for
   int width = 0, height = 0, bandRows = 0;
+  bool operator==(const BandPlan&) const = default;
 };
 
 class BandFile {

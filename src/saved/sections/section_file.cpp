@@ -17,12 +17,12 @@ namespace gluray::saved {
 namespace {
 
 // As of PNG files: the bytes that break where a file is copied as text.
-constexpr std::array<char, 16> kMagic = {'G', 'L',  'u',  'R',    'a',    'y', ' ', 's',
-                                         'c', '\r', '\n', '\x1a', '\x89', 0,   0,   0};
+constexpr std::array<char, 16> kFileMagic = {'G', 'L',  'u',  'R',    'a',    'y', ' ', 's',
+                                             'c', '\r', '\n', '\x1a', '\x89', 0,   0,   0};
 constexpr uint32_t kByteOrder = 0x01020304, kContainer = 1;  // the version of this container
 
 struct Head {
-  std::array<char, 16> magic = kMagic;
+  std::array<char, 16> magic = kFileMagic;
   uint32_t byteOrder = kByteOrder, container = kContainer;
   std::array<uint64_t, 5> unused{};
 };
@@ -37,7 +37,7 @@ static_assert(sizeof(Entry) == 40);
 struct Trailer {
   uint64_t offset = 0, entries = 0;  // of the table
   std::array<uint64_t, 2> check{};   // hash of the table
-  std::array<char, 16> magic = kMagic;
+  std::array<char, 16> magic = kFileMagic;
 };
 static_assert(sizeof(Trailer) == 48);
 
@@ -165,11 +165,11 @@ SectionFile::SectionFile(const std::string& path) {
   if (bytes_ < sizeof head + sizeof trailer) refuse("it is no saved scene");
   std::memcpy(&head, map_.get(), sizeof head);
   std::memcpy(&trailer, map_.get() + bytes_ - sizeof trailer, sizeof trailer);
-  if (head.magic != kMagic) refuse("it is no saved scene");
+  if (head.magic != kFileMagic) refuse("it is no saved scene");
   if (head.byteOrder != kByteOrder) refuse("it was saved on a machine with another byte order");
   if (head.container != kContainer) refuse("a newer GLuRay has saved it: use that one, or a newer one");
   const uint64_t end = bytes_ - sizeof trailer;
-  const bool whole = trailer.magic == kMagic && trailer.offset <= end &&
+  const bool whole = trailer.magic == kFileMagic && trailer.offset <= end &&
                      trailer.entries == (end - trailer.offset) / sizeof(Entry) &&
                      (end - trailer.offset) % sizeof(Entry) == 0;
   if (!whole) refuse("it is not whole: save the scene again");

@@ -1,8 +1,8 @@
 // Files of named sections, read through memory maps: the container of saved scenes. One thread per object.
 //
-// A file begins with kMagic and a byte-order mark. Then come the contents of sections, each at a multiple of
-// kAlignment and followed by at least kAlignment bytes, then the table of all sections, then a trailer that
-// says where the table is. Sections may be appended: the newest table and trailer count.
+// A file begins with kFileMagic and a byte-order mark. Then come the contents of sections, each at a multiple
+// of kAlignment and followed by at least kAlignment bytes, then the table of all sections, then a trailer
+// that says where the table is. Sections may be appended: the newest table and trailer count.
 #pragma once
 #include "base/hash.h"
 

@@ -1,5 +1,6 @@
 #include "saved/shot/canvas.h"
 
+#include "render/resolve/averaged_byte.h"
 #include "scene/premultiplied.h"
 #include "scene/srgb.h"
 
@@ -9,13 +10,10 @@
 namespace gluray::saved {
 namespace {
 
-uint32_t byteOf(float v) {
-  return static_cast<uint32_t>(std::nearbyint(std::clamp(v > 0 ? v : 0.0f, 0.0f, 1.0f) * 255.0f));
-}
-
 uint32_t bytesOf(const float* rgba, bool encodes) {
-  uint32_t bytes = byteOf(rgba[3]) << 24;
-  for (int c = 0; c < 3; ++c) bytes |= byteOf(encodes ? scene::encodedSrgb(rgba[c]) : rgba[c]) << (8 * c);
+  uint32_t bytes = render::displayedByte(rgba[3], false) << 24;
+  for (int c = 0; c < 3; ++c)
+    bytes |= render::displayedByte(encodes ? scene::encodedSrgb(rgba[c]) : rgba[c], false) << (8 * c);
   return bytes;
 }
 

@@ -1,0 +1,189 @@
+"""gluray save, render and shot with a program that runs: shots_test.py GLURAY CLIENT, with an X server at hand."""
+import json
+import os
+import pathlib
+import resource
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+GLURAY, CLIENT = sys.argv[1:3]
+WIDTH, HEIGHT = 160, 120  # of the client's window
+PATIENCE = 60  # seconds, on a machine that has much to do
+
+
+def chunks(file):
+    """(type, content) of each chunk of a PNG file."""
+    data, at = file.read_bytes(), 8
+    while at < len(data):
+        size, kind = struct.unpack(">I4s", data[at:at + 8])
+        yield kind.decode(), data[at + 8:at + 8 + size]
+        at += 12 + size
+
+
+def size_of(file):
+    return struct.unpack(">II", dict(chunks(file))["IHDR"][:8])
+
+
+def pixels(file, *more):
+    """RGBA bytes."""
+    return subprocess.run(["convert", str(file), *more, "-depth", "8", "rgba:-"], check=True, capture_output=True).stdout
+
+
+class Shots(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        plain = {name: value for name, value in os.environ.items() if not name.startswith("GLURAY_")}
+        self.environment = plain | {"XDG_CONFIG_HOME": "/nowhere", "GLURAY_RUNTIME": str(self.folder / "runtime"), "GLURAY_ENGINE": "always"}
+
+    def spawn(self, *words):
+        process = subprocess.Popen(words, cwd=self.folder, env=self.environment, text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                   stderr=subprocess.DEVNULL)
+        def end():
+            process.stdin.close()
+            process.terminate()
+            process.stdout.read(), process.stdout.close()
+            process.wait(PATIENCE)
+        self.addCleanup(end)
+        return process
+
+    def start(self, *options):
+        self.spawn(GLURAY, "hub", "--with-parent")
+        self.client = self.spawn(GLURAY, *options, "--", CLIENT, "exposed")
+        print("frame", file=self.client.stdin, flush=True)
+        self.client.stdout.readline()
+        end = time.monotonic() + PATIENCE
+        while not json.loads(self.gluray("list", "--json").stdout or "[]"):
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.05)
+
+    def gluray(self, *words, **more):
+        return subprocess.run([GLURAY, *words], cwd=self.folder, env=self.environment, text=True, capture_output=True, timeout=PATIENCE * 5, **more)
+
+    def done(self, *words):
+        run = self.gluray(*words)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run
+
+    def refused(self, code, words, part, **more):
+        """One line on standard error, of which `part` is a part."""
+        run = self.gluray(*words, **more)
+        self.assertEqual((run.returncode, run.stdout), (code, ""), run.stderr)
+        self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
+        self.assertIn(part, run.stderr)
+
+    def saved(self, *options):
+        self.start(*options)
+        self.done("save", "scene.gluray")
+        return self.folder / "scene.gluray"
+
+    def file(self, name):
+        return self.folder / name
+
+    def names(self):
+        return sorted(path.name for path in self.folder.iterdir() if path.name != "runtime")
+
+    def test_a_scene_is_rendered_as_the_window_shows_it(self):
+        self.saved()
+        said = json.loads(self.done("render", "scene.gluray", "picture.png", "--json").stdout)
+        self.assertEqual((said["width"], said["height"], said["notes"]), (WIDTH, HEIGHT, []))
+        self.assertEqual(said["scene"]["program"], pathlib.Path(CLIENT).name)
+        self.done("shot", "window.png")
+        self.assertTrue(pixels(self.file("picture.png")) == pixels(self.file("window.png")))
+        self.assertEqual(self.names(), ["picture.png", "scene.gluray", "window.png"])
+
+    def test_pictures_of_light_are_those_of_programs(self):
+        scene = self.saved("--ao", "--set", "ao.samples=4", "--set", "refine.passes=4")
+        self.assertGreater(scene.stat().st_size, 1000)
+        self.done("render", "scene.gluray", "picture.png")
+        self.done("render", "scene.gluray", "dark.png", "--set", "ao.strength=1", "--set", "ao.samples=8")
+        self.done("render", "scene.gluray", "off.png", "--set", "ao=false")
+        images = [pixels(self.file(name)) for name in ("picture.png", "dark.png", "off.png")]
+        self.assertEqual(len(set(images)), 3)
+
+    def test_pictures_have_any_size(self):
+        self.saved()
+        self.done("render", "scene.gluray", "window.png")
+        self.done("render", "scene.gluray", "large.png", "--size", f"{8 * WIDTH}x{8 * HEIGHT}")
+        self.assertEqual(size_of(self.file("large.png")), (8 * WIDTH, 8 * HEIGHT))
+        small, large = pixels(self.file("window.png")), pixels(self.file("large.png"), "-scale", f"{WIDTH}x{HEIGHT}!")
+        apart = sum(abs(a - b) > 40 for a, b in zip(small, large))
+        self.assertLess(apart, len(small) / 50, "edges alone")
+        self.done("shot", "shot.png", "--size", "400x200", "--spp", "4")
+        self.assertEqual(size_of(self.file("shot.png")), (400, 200))
+        self.assertEqual(self.names(), ["large.png", "scene.gluray", "shot.png", "window.png"])
+
+    def test_they_say_how_they_were_made(self):
+        self.saved()
+        self.done("render", "scene.gluray", "picture.png", "--size", "64x48", "--spp", "4")
+        kinds = [kind for kind, _ in chunks(self.file("picture.png"))]
+        self.assertIn("sRGB", kinds)
+        texts = [content for kind, content in chunks(self.file("picture.png")) if kind == "iTXt"]
+        command = next(text for text in texts if text.startswith(b"Command\0")).split(b"\0")[-1].decode()
+        self.assertEqual(command, "gluray render scene.gluray picture.png --size 64x48 --set spp=4")
+        before = self.file("picture.png").read_bytes()
+        self.done(*command.split()[1:])
+        self.assertTrue(before == self.file("picture.png").read_bytes())
+
+    def test_backgrounds_can_be_transparent(self):
+        self.saved()
+        self.done("render", "scene.gluray", "picture.png", "--background", "transparent", "--spp", "4")
+        alphas = set(pixels(self.file("picture.png"))[3::4])
+        self.assertLessEqual({0, 255}, alphas)
+        self.assertGreater(len(alphas), 2, "edges are in between")
+
+    def test_what_was_interrupted_goes_on(self):
+        self.saved()
+        words = [GLURAY, "render", "scene.gluray", "picture.png", "--size", "4096x3072", "--spp", "4"]
+        process = subprocess.Popen(words, cwd=self.folder, env=self.environment)
+        part = self.file("picture.png.unfinished")
+        end = time.monotonic() + PATIENCE
+        while not part.exists() or part.stat().st_size < 4096 * 4 * 600:  # a band
+            self.assertLess(time.monotonic(), end)
+            self.assertIsNone(process.poll(), "it was too fast")
+            time.sleep(0.001)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        self.assertFalse(self.file("picture.png").exists())
+        self.assertIn("went on from an interrupted run", self.done(*words[1:]).stdout)
+        self.assertFalse(part.exists())
+        words[3] = "whole.png"
+        self.done(*words[1:])
+        self.assertTrue(pixels(self.file("picture.png")) == pixels(self.file("whole.png")))
+
+    def test_a_full_disk_leaves_the_last_good_file(self):
+        self.saved()
+        self.done("render", "scene.gluray", "picture.png", "--size", "64x48")
+        before = {name: self.file(name).read_bytes() for name in self.names()}
+        def full():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (50000, 50000))
+        self.refused(1, ["render", "scene.gluray", "picture.png", "--size", "640x480"], "cannot be written: File too large", preexec_fn=full)
+        self.file("picture.png.unfinished").unlink()
+        self.assertEqual({name: self.file(name).read_bytes() for name in self.names()}, before)
+
+    def test_mistakes_get_one_line(self):
+        self.saved()
+        self.refused(2, ["save", "scene.png"], "ends in .gluray")
+        self.refused(2, ["render", "scene.gluray", "picture.jpg"], "ends in .png")
+        self.refused(1, ["render", "scene.gluray", "picture.png", "--size", "0x5"], "use WIDTHxHEIGHT")
+        self.refused(1, ["render", "scene.gluray", "picture.png", "--size", "40000x5"], "32768")
+        self.refused(1, ["render", "missing.gluray", "picture.png"], "No such file")
+        self.refused(2, ["render", "scene.gluray", "picture.png", "--preset", "presentatoin"], "did you mean 'presentation'")
+        self.file("text.gluray").write_text("some text")
+        self.refused(1, ["render", "text.gluray", "picture.png"], "no saved scene")
+        whole = self.file("scene.gluray").read_bytes()
+        self.file("half.gluray").write_bytes(whole[:len(whole) // 2])
+        self.refused(1, ["render", "half.gluray", "picture.png"], "not whole")
+        self.refused(1, ["save", "missing/scene.gluray"], "cannot be written")
+        self.assertEqual(self.names(), ["half.gluray", "scene.gluray", "text.gluray"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
