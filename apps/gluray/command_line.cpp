@@ -130,6 +130,12 @@ void describeRender(CLI::App& app, CommandLine& line) {
   app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray")->required();
   app.add_option("FILE", line.picture.file, "Name of the picture, ending in .png")->required();
   addPictureOptions(app, line.picture);
+  app.add_option(
+         "--turntable", line.picture.turntable,
+         "N numbered pictures (FILE is a pattern such as turn-%04d.png) of a camera that goes around the\n"
+         "scene once, without overlays")
+      ->check(CLI::Range(1, 100000))
+      ->type_name("N");
   app.add_flag("--json", line.json, "Print JSON");
   addSettingOptions(app, line.settings, false);
 }

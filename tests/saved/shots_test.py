@@ -119,6 +119,16 @@ class Shots(unittest.TestCase):
         self.assertEqual(size_of(self.file("shot.png")), (400, 200))
         self.assertEqual(self.names(), ["large.png", "scene.gluray", "shot.png", "window.png"])
 
+    def test_turntables_are_numbered(self):
+        self.saved()
+        run = self.done("render", "scene.gluray", "turn-%02d.png", "--turntable", "4", "--size", "80x60")
+        self.assertIn("turn-01.png to turn-04.png, 4 pictures, 80 x 60", run.stdout)
+        self.assertIn("ffmpeg", run.stdout)
+        images = [pixels(self.file(f"turn-{number:02d}.png")) for number in range(1, 5)]
+        self.assertEqual(len(set(images)), 4)
+        self.done("render", "scene.gluray", "front.png", "--size", "80x60", "--no-overlays")
+        self.assertTrue(images[0] == pixels(self.file("front.png")))
+
     def test_they_say_how_they_were_made(self):
         self.saved()
         self.done("render", "scene.gluray", "picture.png", "--size", "64x48", "--spp", "4")

@@ -14,6 +14,7 @@ struct PictureOptions {
   std::string fit = "all";              // all, crop, stretch
   std::string background = "as-shown";  // as-shown, transparent
   bool overlays = true;
+  int turntable = 0;   // pictures of a turn of the camera around the scene; 0: one, of the saved view
   bool again = false;  // begins anew, whatever an interrupted run has left
 
   /// Whether more is asked for than the window's own pixels.

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/printable.h"
+#include "control/images/film_plan.h"
 #include "control/images/window_image.h"
 #include "pictures/rendered_picture.h"
 #include "pictures/wanted_settings.h"
@@ -12,26 +13,43 @@
 
 namespace gluray::launcher {
 
+namespace {
+
+/// "turn-0001.png to turn-0090.png, 90 pictures", or the file.
+std::string namesOf(const RenderedPicture& made) {
+  if (made.files.size() == 1) return printable(made.files.front());
+  return printable(made.files.front()) + " to " + printable(made.files.back()) + ", " +
+         std::to_string(made.files.size()) + " pictures";
+}
+
+}  // namespace
+
 int renderSaved(const CommandLine& line) {
   const PictureOptions& options = line.picture;
-  if (const std::string why = whyNotInto(options.file); !why.empty()) return say(why), kUsageError;
+  for (const std::string& file : filesOf(options))
+    if (const std::string why = whyNotInto(file); !why.empty()) return say(why), kUsageError;
   const double start = nowSeconds();
   const NamedValues settings = wantedSettings(line);
-  const RenderedPicture picture = renderPicture(options, settings, commandOf(options, settings));
-  for (const std::string& note : picture.notes) say(note);
+  const RenderedPicture made = renderPictures(options, settings, commandOf(options, settings));
+  for (const std::string& note : made.notes) say(note);
   if (line.json) {
-    std::cout << jsonText({{"file", options.file},
-                           {"width", picture.width},
-                           {"height", picture.height},
-                           {"notes", picture.notes},
-                           {"scene", picture.facts}})
+    std::cout << jsonText({{"files", made.files},
+                           {"width", made.width},
+                           {"height", made.height},
+                           {"notes", made.notes},
+                           {"scene", made.facts}})
               << "\n";
     return 0;
   }
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.1f", nowSeconds() - start);
-  std::cout << printable(options.file) << ", " << picture.width << " x " << picture.height << ", " << seconds
-            << " s" << (picture.resumedBands > 0 ? ", went on from an interrupted run" : "") << "\n";
+  std::cout << namesOf(made) << ", " << made.width << " x " << made.height << ", " << seconds << " s"
+            << (made.resumed ? ", went on from an interrupted run" : "") << "\n";
+  FilmName name;
+  if (options.turntable > 1 && readFilmName(options.file, name).empty())
+    std::cout << "As a film: "
+              << filmCommand(name, options.turntable, false, made.width % 2 != 0 || made.height % 2 != 0)
+              << "\n";
   return 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/hash.h"
+#include "control/images/film_plan.h"
 #include "pictures/band_file.h"
 #include "pictures/png_writer.h"
 #include "programs/doors.h"
@@ -11,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -35,21 +37,22 @@ Hash128 identityOf(const PictureOptions& o, const std::vector<std::string>& sett
   struct stat info {};
   ::stat(o.scene.c_str(), &info);
   std::string all = std::to_string(info.st_size) + ' ' + std::to_string(info.st_mtim.tv_sec) + ' ' +
-                    std::to_string(info.st_mtim.tv_nsec) + ' ' + o.size + ' ' + o.fit + ' ' + o.background +
-                    (o.overlays ? " overlays" : "") + " " GLURAY_VERSION;
+                    std::to_string(info.st_mtim.tv_nsec) + ' ' + std::to_string(o.turntable) + ' ' + o.size +
+                    ' ' + o.fit + ' ' + o.background + (o.overlays ? " overlays" : "") + " " GLURAY_VERSION;
   for (const std::string& setting : settings) all += '\n' + setting;
   return hashBytes(all.data(), all.size());
 }
 
-/// A line on the terminal that says how far the picture is.
+/// A line on the terminal that says how far the pictures are.
 class Progress {
  public:
-  void passed(int band, int first, int of) {
+  /// `done`: the share of all work, of which `before` was done when this began.
+  void passed(double done, double before) {
     constexpr double kSoon = 2;  // seconds
     const double seconds = nowSeconds() - begin_;
-    if (!isatty(2) || (seconds < kSoon && !shown_)) return;
-    const double left = seconds / (band - first) * (of - band);
-    std::fprintf(stderr, "\rgluray: %d %%, %.0f s left \033[K", 100 * band / of, left);
+    if (!isatty(2) || done <= before || (seconds < kSoon && !shown_)) return;
+    std::fprintf(stderr, "\rgluray: %.0f %%, %.0f s left \033[K", 100 * done,
+                 seconds / (done - before) * (1 - done));
     shown_ = true;
   }
   ~Progress() {
@@ -61,11 +64,13 @@ class Progress {
   bool shown_ = false;
 };
 
-/// Takes the picture from the engine.
+/// Takes pictures from the engine.
 struct Work {
-  std::string path;  // of the bands
+  const PictureOptions& options;
+  const std::string& command;
+  std::vector<std::string> files;  // one a picture
   Hash128 identity;
-  int firstBand = 0;
+  int firstPicture = 0, firstBand = 0, number = 0;
   RenderedPicture picture;
   std::unique_ptr<BandFile> bands;
   Progress progress;
@@ -80,15 +85,17 @@ struct Work {
     } catch (const std::exception& e) { return why = e.what(), 0; }
   }
   static Work& of(void* user) { return *static_cast<Work*>(user); }
+  std::string bandsOf(int one) const { return files[static_cast<size_t>(one)] + ".unfinished"; }
 };
 
-int begin(void* user, int width, int height, int bandRows, const char* facts) {
+int begin(void* user, int number, int width, int height, int bandRows, const char* facts) {
   Work& work = Work::of(user);
   return work.guarded([&] {
+    work.number = number;
     work.picture.width = width, work.picture.height = height;
     work.picture.facts = nlohmann::json::parse(facts);
     work.bands = std::make_unique<BandFile>(
-        work.path, BandPlan{work.identity.low, work.identity.high, width, height, bandRows});
+        work.bandsOf(number), BandPlan{work.identity.low, work.identity.high, width, height, bandRows});
   });
 }
 
@@ -96,14 +103,35 @@ int takeRows(void* user, int band, int count, const uint32_t* pixels) {
   Work& work = Work::of(user);
   return work.guarded([&] {
     work.bands->add(band, count, pixels);
-    const int rows = work.bands->plan().bandRows;
-    work.progress.passed(band + 1, work.firstBand, (work.picture.height + rows - 1) / rows);
+    const int rows = work.bands->plan().bandRows, bands = (work.picture.height + rows - 1) / rows;
+    const auto share = [&](int picture, int done) {
+      return (picture + static_cast<double>(done) / bands) / static_cast<double>(work.files.size());
+    };
+    work.progress.passed(share(work.number, band + 1), share(work.firstPicture, work.firstBand));
   });
 }
 
-void takeNote(void* user, const char* line) { Work::of(user).picture.notes.emplace_back(line); }
+int finish(void* user) {
+  Work& work = Work::of(user);
+  return work.guarded([&] {
+    PngPicture png{.width = work.picture.width,
+                   .height = work.picture.height,
+                   .alpha = work.options.background == "transparent",
+                   .row = [&](int y, std::vector<uint32_t>& pixels) { work.bands->row(y, pixels); }};
+    png.texts = {{"Software", "GLuRay " GLURAY_VERSION}, {"Command", work.command}};
+    for (const char* fact : {"program", "saved"})
+      if (work.picture.facts.contains(fact) && work.picture.facts[fact].is_string())
+        png.texts.emplace_back(std::string("GLuRay ") + fact, work.picture.facts[fact].get<std::string>());
+    writePng(work.files[static_cast<size_t>(work.number)], png);
+    work.bands->remove();
+  });
+}
 
-/// The engine writes progress of single bands and messages of its log: they stay as they are.
+void takeNote(void* user, const char* line) {
+  std::vector<std::string>& notes = Work::of(user).picture.notes;
+  if (std::find(notes.begin(), notes.end(), line) == notes.end()) notes.emplace_back(line);
+}
+
 void trace(const PictureOptions& options, const std::vector<std::string>& settings, Work& work) {
   int width = 0, height = 0;
   if (!options.size.empty())
@@ -118,36 +146,54 @@ void trace(const PictureOptions& options, const std::vector<std::string>& settin
                                     .fit = options.fit.c_str(),
                                     .transparent = options.background == "transparent",
                                     .overlays = options.overlays,
+                                    .firstPicture = work.firstPicture,
                                     .firstBand = work.firstBand,
+                                    .pictures = static_cast<int>(work.files.size()),
                                     .settings = texts.data(),
                                     .settingCount = static_cast<int>(texts.size())};
-  const GlurayRenderSink sink{&work, begin, takeRows, takeNote};
+  const GlurayRenderSink sink{&work, begin, takeRows, finish, takeNote};
   char why[1024] = "";
   if (engine()(&request, &sink, why, sizeof why)) return;
   throw std::runtime_error(work.why.empty() ? why : work.why);
 }
 
+/// The number of the picture that an interrupted run was making; 0: none.
+int interrupted(const std::vector<std::string>& files) {
+  for (size_t i = 0; i < files.size(); ++i)
+    if (::access((files[i] + ".unfinished").c_str(), F_OK) == 0) return static_cast<int>(i);
+  return 0;
+}
+
 }  // namespace
 
-RenderedPicture renderPicture(const PictureOptions& options, const NamedValues& settings,
-                              const std::string& command) {
+std::vector<std::string> filesOf(const PictureOptions& options) {
+  if (options.turntable == 0) return {options.file};
+  FilmName name;
+  if (const std::string why = readFilmName(options.file, name); !why.empty()) throw std::runtime_error(why);
+  std::vector<std::string> files;
+  for (int i = 1; i <= options.turntable; ++i) files.push_back(name.file(i));
+  return files;
+}
+
+RenderedPicture renderPictures(const PictureOptions& options, const NamedValues& settings,
+                               const std::string& command) {
   std::vector<std::string> values;
   for (const auto& [name, value] : settings) values.push_back(name + "=" + value);
-  Work work{.path = options.file + ".unfinished", .identity = identityOf(options, values)};
-  if (options.again) ::unlink(work.path.c_str());
-  work.firstBand = BandFile::finishedBands(work.path, work.identity.low, work.identity.high);
-  work.picture.resumedBands = work.firstBand;
+  Work work{.options = options,
+            .command = command,
+            .files = filesOf(options),
+            .identity = identityOf(options, values)};
+  work.firstPicture = interrupted(work.files);
+  if (options.again) {
+    ::unlink(work.bandsOf(work.firstPicture).c_str());
+    work.firstPicture = 0;
+  }
+  work.firstBand =
+      BandFile::finishedBands(work.bandsOf(work.firstPicture), work.identity.low, work.identity.high);
+  if (work.firstBand == 0) work.firstPicture = 0;  // of other work
+  work.picture.resumed = work.firstBand > 0;
   trace(options, values, work);
-  PngPicture png{.width = work.picture.width,
-                 .height = work.picture.height,
-                 .alpha = options.background == "transparent",
-                 .row = [&](int y, std::vector<uint32_t>& pixels) { work.bands->row(y, pixels); }};
-  png.texts = {{"Software", "GLuRay " GLURAY_VERSION}, {"Command", command}};
-  for (const char* fact : {"program", "saved"})
-    if (work.picture.facts.contains(fact) && work.picture.facts[fact].is_string())
-      png.texts.emplace_back(std::string("GLuRay ") + fact, work.picture.facts[fact].get<std::string>());
-  writePng(options.file, png);
-  work.bands->remove();
+  work.picture.files = std::move(work.files);
   return std::move(work.picture);
 }
 

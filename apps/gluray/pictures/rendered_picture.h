@@ -10,17 +10,23 @@
 
 namespace gluray::launcher {
 
+/// Pictures of one size.
 struct RenderedPicture {
+  std::vector<std::string> files;
   int width = 0, height = 0;
   nlohmann::json facts;            // saved::SavedScene::facts
   std::vector<std::string> notes;  // what is not as in the program, a line each
-  int resumedBands = 0;            // that an interrupted run had made
+  bool resumed = false;            // where an interrupted run had ended
 };
 
-/// Makes the picture `options.file` of the scene `options.scene`, with these settings in place of the
-/// scene's. `command`: what the file says of how to make it again. Throws std::runtime_error with one line;
-/// what was made stays beside the file, and the next call goes on from there.
-RenderedPicture renderPicture(const PictureOptions& options, const NamedValues& settings,
-                              const std::string& command);
+/// The files that are asked for: one, or numbered ones of a turntable. Throws std::runtime_error with one
+/// line.
+std::vector<std::string> filesOf(const PictureOptions& options);
+
+/// Makes pictures of the scene `options.scene`, with these settings in place of the scene's. `command`: what
+/// the files say of how to make them again. Throws std::runtime_error with one line; what was made stays, and
+/// the next call goes on from there.
+RenderedPicture renderPictures(const PictureOptions& options, const NamedValues& settings,
+                               const std::string& command);
 
 }  // namespace gluray::launcher

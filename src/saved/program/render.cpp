@@ -40,23 +40,37 @@ void change(SavedScene& scene, std::span<const char* const> settings) {
   }
 }
 
-/// False: the sink has ended it.
+/// One picture. False: the sink has ended it.
+bool renderOne(Shot& shot, int picture, int firstBand, const std::string& facts,
+               const GlurayRenderSink& sink) {
+  if (!sink.begin(sink.user, picture, shot.size().x, shot.size().y, shot.bandRows(), facts.c_str()))
+    return false;
+  for (const std::string& line : shot.notes()) sink.note(sink.user, line.c_str());
+  for (int band = firstBand; band < shot.bands(); ++band) {
+    const std::vector<uint32_t> pixels = shot.band(band);
+    const int rows = static_cast<int>(pixels.size() / static_cast<size_t>(shot.size().x));
+    if (!sink.rows(sink.user, band, rows, pixels.data())) return false;
+  }
+  return sink.end(sink.user) != 0;
+}
+
 bool render(const GlurayRenderRequest& request, const GlurayRenderSink& sink) {
   if (request.version != kGlurayRenderVersion)
     throw std::runtime_error("install GLuRay again: its library is of another version");
   SavedScene scene = readScene(request.scene);
   change(scene, {request.settings, static_cast<size_t>(request.settingCount)});
   const std::string facts = scene.facts.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  Shot shot(std::move(scene), {.size = {request.width, request.height},
-                               .fit = fitOf(request.fit),
-                               .transparent = request.transparent != 0,
-                               .overlays = request.overlays != 0});
-  if (!sink.begin(sink.user, shot.size().x, shot.size().y, shot.bandRows(), facts.c_str())) return false;
-  for (const std::string& line : shot.notes()) sink.note(sink.user, line.c_str());
-  for (int band = request.firstBand; band < shot.bands(); ++band) {
-    const std::vector<uint32_t> pixels = shot.band(band);
-    const int rows = static_cast<int>(pixels.size() / static_cast<size_t>(shot.size().x));
-    if (!sink.rows(sink.user, band, rows, pixels.data())) return false;
+  ShotOptions options{.size = {request.width, request.height},
+                      .fit = fitOf(request.fit),
+                      .transparent = request.transparent != 0,
+                      .overlays = request.overlays != 0};
+  frame::Renderer renderer;  // keeps the structures of meshes from picture to picture
+  for (int picture = request.firstPicture; picture < request.pictures; ++picture) {
+    options.turn = 360.0 * picture / request.pictures;
+    options.overlays = options.overlays && request.pictures == 1;
+    Shot shot(scene, options, renderer);
+    const int firstBand = picture == request.firstPicture ? request.firstBand : 0;
+    if (!renderOne(shot, picture, firstBand, facts, sink)) return false;
   }
   return true;
 }

@@ -16,23 +16,28 @@ typedef struct GlurayRenderRequest {
   const char* fit;             /* "all", "crop", "stretch" */
   int transparent;             /* the background */
   int overlays;                /* text, axes and widgets that the program drew */
-  int firstBand;               /* bands before it are not made */
+  int firstPicture;            /* pictures before it are not made */
+  int firstBand;               /* nor bands of that picture before it */
+  int pictures;                /* the camera goes around the scene once in so many; 1: the saved view */
   const char* const* settings; /* "name=value": in place of those of the scene */
   int settingCount;
 } GlurayRenderRequest;
 
-/* Receives the picture, in bands of rows from its top on. */
+/* Receives pictures, in bands of rows from the top on. */
 typedef struct GlurayRenderSink {
   void* user;
-  /* The picture's size, rows of a band, and facts about the scene: JSON. 0: ends the work. */
-  int (*begin)(void* user, int width, int height, int bandRows, const char* facts);
+  /* A picture's number from 0, its size, rows of a band, and facts about the scene: JSON. 0: ends the work.
+   */
+  int (*begin)(void* user, int picture, int width, int height, int bandRows, const char* facts);
   /* Premultiplied RGBA8, red in the lowest byte, top row first. 0: ends the work. */
   int (*rows)(void* user, int band, int count, const uint32_t* pixels);
+  /* The picture is whole. 0: ends the work. */
+  int (*end)(void* user);
   /* One line about something that is not as in the program. */
   void (*note)(void* user, const char* line);
 } GlurayRenderSink;
 
-/* 1: the picture is whole; 0: one line in `why`, empty if the sink has ended the work. */
+/* 1: all pictures are whole; 0: one line in `why`, empty if the sink has ended the work. */
 int glurayRender(const GlurayRenderRequest* request, const GlurayRenderSink* sink, char* why,
                  unsigned long whyBytes);
 

@@ -1,6 +1,7 @@
 #include "saved/shot/shot.h"
 
 #include "frame/images/traced_images.h"
+#include "saved/shot/turned_view.h"
 #include "scene/effects.h"
 #include "scene/premultiplied.h"
 #include "settings/samples.h"
@@ -42,8 +43,8 @@ struct Shot::Placed {
   scene::Region window;
 };
 
-Shot::Shot(SavedScene scene, const ShotOptions& options)
-    : scene_(std::move(scene)), options_(options), renderer_(std::make_unique<frame::Renderer>()) {
+Shot::Shot(SavedScene scene, const ShotOptions& options, frame::Renderer& renderer)
+    : scene_(std::move(scene)), options_(options), renderer_(renderer) {
   if (scene_.window.x <= 0 || scene_.window.y <= 0)
     throw std::runtime_error("the size of the window is not known");
   if (options_.size == glm::ivec2(0)) options_.size = scene_.window;
@@ -72,29 +73,42 @@ void Shot::look() {
     return s.catches || !s.colorWrites.all() || s.instances.empty();
   });
   if (scene_.batches.empty()) throw std::runtime_error("it shows no traced surface");
-  for (const SavedBatch& batch : scene_.batches) {
-    Placed& placed = placed_.emplace_back();
-    placed.snapshot = frame_->placed(batch);
-    placed.snapshot.viewFrame = 1;  // so that one exposure holds for all bands
-    placed.snapshot.settings.refine.progress = false;
-    placed.test = {.strict = batch.strict, .largestWins = placed.snapshot.camera.largestWins};
-    for (const scene::Region& box : batch.cleared) {
-      const glm::dvec2 low = glm::dvec2(box.x, box.y) + glm::dvec2(batch.place),
-                       high = low + glm::dvec2(box.width, box.height);
-      const glm::ivec2 from(glm::floor(frame_->pictureOf(low))), to(glm::ceil(frame_->pictureOf(high)));
-      placed.cleared.push_back({from.x, from.y, to.x - from.x, to.y - from.y});
+  if (options_.turn == 0) {
+    for (const SavedBatch& batch : scene_.batches) place(batch);
+  } else {
+    std::vector<scene::SnapshotPtr> views;
+    for (const SavedBatch& batch : scene_.batches) views.push_back(batch.snapshot);
+    views = turned(views, options_.turn);
+    for (size_t i = 0; i < views.size(); ++i) {
+      SavedBatch batch = scene_.batches[i];
+      batch.snapshot = views[i];
+      place(batch);
     }
-    samples_ = std::max(samples_, placed.snapshot.samples);
-    if (isFiltered(placed.snapshot)) margin_ = kFilterReach;
   }
   lookAtWindow();
+}
+
+void Shot::place(const SavedBatch& batch) {
+  Placed& placed = placed_.emplace_back();
+  placed.snapshot = frame_->placed(batch);
+  placed.snapshot.viewFrame = 1;  // so that one exposure holds for all bands, and all turns
+  placed.snapshot.settings.refine.progress = false;
+  placed.test = {.strict = batch.strict, .largestWins = placed.snapshot.camera.largestWins};
+  for (const scene::Region& box : batch.cleared) {
+    const glm::dvec2 low = glm::dvec2(box.x, box.y) + glm::dvec2(batch.place),
+                     high = low + glm::dvec2(box.width, box.height);
+    const glm::ivec2 from(glm::floor(frame_->pictureOf(low))), to(glm::ceil(frame_->pictureOf(high)));
+    placed.cleared.push_back({from.x, from.y, to.x - from.x, to.y - from.y});
+  }
+  samples_ = std::max(samples_, placed.snapshot.samples);
+  if (isFiltered(placed.snapshot)) margin_ = kFilterReach;
 }
 
 /// Traces what the window showed: finds the background, what was drawn over surfaces, and the exposures.
 void Shot::lookAtWindow() {
   const bool knowsWindow = scene_.shown.width == scene_.window.x && scene_.shown.height == scene_.window.y;
   const bool wantsPlate = knowsWindow && !options_.transparent;
-  if (frame_->isWindow() && !wantsPlate && bands() == 1) return;
+  if (frame_->isWindow() && !wantsPlate && bands() == 1 && options_.turn == 0) return;
   const ShotFrame window(scene_.window, scene_.window, Fit::all);
   const scene::Region all{0, 0, scene_.window.x, scene_.window.y};
   Canvas canvas(all, samples_);
@@ -106,7 +120,7 @@ void Shot::lookAtWindow() {
     for (scene::Region& box : placed.cleared)
       box.x += scene_.batches[i].place.x, box.y += scene_.batches[i].place.y;
     const auto& layers = placed.snapshot.layers;
-    if (layers && layers->of != Of::drawn) {
+    if (layers && layers->of != Of::drawn && options_.turn == 0) {
       placed_[i].window = placed.snapshot.region;
       placed_[i].rasterised = layers->opaqueDepth;
       const std::vector<float> traced = canvas.opaqueDepths(placed.snapshot.region);
@@ -117,7 +131,7 @@ void Shot::lookAtWindow() {
   }
   if (!wantsPlate) return;
   plate_ = Plate(scene_.shown, canvas.colors());
-  if (!options_.overlays)
+  if (!options_.overlays || options_.turn != 0)
     plate_.clearBackground();
   else if (!frame_->isWindow())
     note("text, axes and widgets of the program are enlarged from the window's pixels");
@@ -128,7 +142,7 @@ scene::Snapshot Shot::partOf(const Placed& placed, const scene::Region& part, co
   scene::Snapshot s = placed.snapshot;
   s.region = part;
   if (!s.layers) return s;
-  const bool whole = part == placed.snapshot.region && frame_->isWindow();
+  const bool whole = part == placed.snapshot.region && frame_->isWindow() && options_.turn == 0;
   if (whole) return s;
   auto layers = std::make_shared<scene::Layers>(*s.layers);
   layers->opaqueDepth = canvas.opaqueDepths(part);
@@ -159,7 +173,7 @@ void Shot::draw(Placed& placed, const scene::Region& band, Canvas& canvas) const
   const scene::Snapshot s = partOf(placed, part, canvas);
   frame::TracedImages images(frame::Tracer{
       .trace = [this](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
-                      std::string& error) { return renderer_->render(snapshot, image, cost, error); }});
+                      std::string& error) { return renderer_.render(snapshot, image, cost, error); }});
   const auto traced = images.imageOf(s, {.mayRepeat = false, .finished = true});
   if (!traced.cached) throw std::runtime_error("it cannot be traced: " + traced.why);
   const Image& image = traced.cached->image;

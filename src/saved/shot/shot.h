@@ -20,6 +20,7 @@ struct ShotOptions {
   Fit fit = Fit::all;
   bool transparent = false;  // the background
   bool overlays = true;      // text, axes and widgets that the program drew
+  double turn = 0;           // degrees by which the camera goes around the scene: then without overlays
   int bandPixels = 1 << 21;  // traced together; some 68 bytes each while light is refined
 };
 
@@ -27,7 +28,7 @@ class Shot {
  public:
   /// The scene's snapshots have the wanted settings. Throws std::runtime_error with one line if no picture
   /// can be made.
-  Shot(SavedScene scene, const ShotOptions& options);
+  Shot(SavedScene scene, const ShotOptions& options, frame::Renderer& renderer);
   ~Shot();
   Shot(const Shot&) = delete;
   Shot& operator=(const Shot&) = delete;
@@ -45,6 +46,7 @@ class Shot {
  private:
   struct Placed;
   void look();
+  void place(const SavedBatch& batch);
   void lookAtWindow();
   void draw(Placed& placed, const scene::Region& band, Canvas& canvas) const;
   scene::Snapshot partOf(const Placed& placed, const scene::Region& part, const Canvas& canvas) const;
@@ -54,7 +56,7 @@ class Shot {
   SavedScene scene_;
   ShotOptions options_;
   std::unique_ptr<ShotFrame> frame_;
-  std::unique_ptr<frame::Renderer> renderer_;
+  frame::Renderer& renderer_;
   std::vector<Placed> placed_;
   Plate plate_;
   int bandRows_ = 0, margin_ = 0, samples_ = 1;

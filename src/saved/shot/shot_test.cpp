@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 namespace gluray::saved {
 namespace {
@@ -60,7 +61,8 @@ std::vector<uint32_t> pictureOf(Shot& shot) {
 }
 
 std::vector<uint32_t> pictureOf(const SavedScene& scene, const ShotOptions& options = {}) {
-  Shot shot(scene, options);
+  frame::Renderer renderer;
+  Shot shot(scene, options, renderer);
   return pictureOf(shot);
 }
 
@@ -109,7 +111,8 @@ scene::Snapshot withSize(scene::Snapshot s, int width, int height) {
 TEST(Shot, IsTheSameInBands) {
   scene::Snapshot s = balls(kSide);
   s.settings.ao.enabled = false;
-  Shot shot(sceneOf(s), {.size = {200, 300}, .fit = Fit::stretch, .bandPixels = kThin});
+  frame::Renderer renderer;
+  Shot shot(sceneOf(s), {.size = {200, 300}, .fit = Fit::stretch, .bandPixels = kThin}, renderer);
   ASSERT_EQ(shot.bands(), 10);
   EXPECT_TRUE(pictureOf(shot) == shownBy(withSize(s, 200, 300), 0));
 }
@@ -118,7 +121,8 @@ TEST(Shot, BandsOfSmoothedLightHaveNoSeams) {
   scene::Snapshot s = balls(kSide);
   s.settings.denoise = Denoise::filter, s.settings.ao.samples = 2;
   s.settings.refine.passes = 4, s.settings.noise = 1e-6f;
-  Shot shot(sceneOf(s), {.size = {300, 300}, .fit = Fit::stretch, .bandPixels = kThin});
+  frame::Renderer renderer;
+  Shot shot(sceneOf(s), {.size = {300, 300}, .fit = Fit::stretch, .bandPixels = kThin}, renderer);
   ASSERT_EQ(shot.bands(), 10);
   const std::vector<uint32_t> picture = pictureOf(shot), wanted = shownBy(withSize(s, 300, 300), 0);
   size_t others = 0;
@@ -151,7 +155,8 @@ TEST(Shot, KeepsWhatWasDrawnOverSurfaces) {
   const ShotOptions twice{.size = {2 * kSide, 2 * kSide}};
   const auto large = pictureOf(scene, twice);
   EXPECT_EQ(large[16 * 2 * kSide + 40], 0xff00ffff);
-  Shot shot(scene, twice);
+  frame::Renderer renderer;
+  const Shot shot(scene, twice, renderer);
   EXPECT_EQ(shot.notes().size(), 1u) << "that it is enlarged";
   ShotOptions without = twice;
   without.overlays = false;
@@ -207,11 +212,89 @@ TEST(Shot, ForgetsDepthsThatWereCleared) {
       std::equal(cleared.begin() + kSide * kSide / 2, cleared.end(), hidden.begin() + kSide * kSide / 2));
 }
 
+TEST(Shot, TurnsAroundTheScene) {
+  scene::Snapshot s = balls(kSide, Floor::none);
+  s.settings.ao.enabled = false;
+  s.settings.lights.up = LightsUp::y;
+  const SavedScene scene = sceneOf(s);
+  const std::vector<uint32_t> front = pictureOf(scene), whole = pictureOf(scene, {.turn = 360});
+  size_t differing = 0;
+  for (size_t i = 0; i < front.size(); ++i) differing += apart(front[i], whole[i]) > 2;
+  EXPECT_LT(differing, 8u);
+  // By hand: the camera goes around the middle of the balls.
+  for (const double degrees : {90.0, 180.0, 250.0}) {
+    scene::Snapshot turned = s;
+    // The box that counts is that of eye space.
+    glm::dvec3 lower(1e9), upper(-1e9);
+    for (const scene::Instance& i : s.instances)
+      for (int c = 0; c < 8; ++c) {
+        const glm::vec3 p(c & 1 ? i.mesh->upper.x : i.mesh->lower.x,
+                          c & 2 ? i.mesh->upper.y : i.mesh->lower.y,
+                          c & 4 ? i.mesh->upper.z : i.mesh->lower.z);
+        const glm::dvec3 e(s.eyeFromWorld * glm::dvec4(p, 1));
+        lower = glm::min(lower, e), upper = glm::max(upper, e);
+      }
+    const glm::dvec3 middle(glm::inverse(s.eyeFromWorld) * glm::dvec4((lower + upper) / 2.0, 1));
+    const glm::dmat4 around = glm::translate(glm::dmat4(1), middle) *
+                              glm::rotate(glm::dmat4(1), glm::radians(-degrees), glm::dvec3(0, 1, 0)) *
+                              glm::translate(glm::dmat4(1), -middle);
+    turned.eyeFromWorld = s.eyeFromWorld * around;
+    for (scene::Instance& instance : turned.instances) instance.eyeFromObject = turned.eyeFromWorld;
+    const std::vector<uint32_t> wanted = shownBy(turned, 0), got = pictureOf(scene, {.turn = degrees});
+    differing = 0;
+    for (size_t i = 0; i < got.size(); ++i) differing += apart(got[i], wanted[i]) > 2;
+    EXPECT_LT(differing, 8u) << degrees;
+    EXPECT_NE(got, front) << degrees;
+  }
+}
+
+TEST(Shot, TurnsLightingInItsOwnSpace) {
+  // The lighting's space is turned against eye space, as in programs whose matrices hold another camera.
+  scene::Snapshot s =
+      gluray::test::litView({gluray::test::ballMesh(40)}, gluray::test::Shader::phong, {0, 0, 1, 0});
+  s.shadings[0].fragment.normals = scene::FragmentShading::Normals::vertices;
+  s.settings.lights.rig = LightRig::headlightAndKey;
+  for (scene::Instance& instance : s.instances) {  // normals alone say where the lights are
+    instance.normalMatrix = glm::mat3(instance.eyeFromObject);
+    instance.lightingFromObject = glm::mat4(1);
+  }
+  scene::Snapshot other = s;
+  const glm::dmat4 between = glm::rotate(glm::dmat4(1), 1.0, glm::dvec3(1, 2, 3));
+  other.camera.clipFromEye = s.camera.clipFromEye * between;
+  other.eyeFromWorld = glm::inverse(between) * s.eyeFromWorld;
+  for (scene::Instance& instance : other.instances)
+    instance.eyeFromObject = glm::inverse(between) * instance.eyeFromObject;
+  const std::vector<uint32_t> one = pictureOf(sceneOf(s), {.turn = 70}),
+                              same = pictureOf(sceneOf(other), {.turn = 70});
+  size_t differing = 0, shown = 0;
+  for (size_t i = 0; i < one.size(); ++i) differing += apart(one[i], same[i]) > 2, shown += one[i] != 0;
+  EXPECT_LT(differing, 8u);
+  EXPECT_GT(shown, 300u);
+}
+
+TEST(Shot, TurnsWhatLayBehindTheNearPlaneIntoView) {
+  scene::Snapshot s = balls(kSide, Floor::none);
+  s.settings.ao.enabled = false;
+  scene::Snapshot tight = s;
+  tight.camera.clipFromEye = glm::perspective(glm::radians(35.0), 1.0, 4.0, 8.0);
+  scene::Snapshot flat = s, flatter = s;
+  flat.camera.clipFromEye = glm::ortho(-3.0, 3.0, -3.0, 3.0, 0.1, 100.0);
+  flatter.camera.clipFromEye = glm::ortho(-3.0, 3.0, -3.0, 3.0, 4.0, 8.0);
+  for (const auto& [roomy, narrow] : {std::pair(s, tight), std::pair(flat, flatter)}) {
+    const auto expected = pictureOf(sceneOf(roomy), {.turn = 90}),
+               got = pictureOf(sceneOf(narrow), {.turn = 90});
+    size_t differing = 0, shown = 0;
+    for (size_t i = 0; i < got.size(); ++i) differing += apart(got[i], expected[i]) > 2, shown += got[i] != 0;
+    EXPECT_LT(differing, 8u);
+    EXPECT_GT(shown, 300u);
+  }
+}
+
 TEST(Shot, RefusesWhatCannotBe) {
   const SavedScene scene = sceneOf(balls(kSide));
-  EXPECT_THROW(Shot(scene, {.size = {0, 5}}), std::runtime_error);
-  EXPECT_THROW(Shot(scene, {.size = {32769, 5}}), std::runtime_error);
-  EXPECT_THROW(Shot({}, {}), std::runtime_error);
+  EXPECT_THROW(pictureOf(scene, {.size = {0, 5}}), std::runtime_error);
+  EXPECT_THROW(pictureOf(scene, {.size = {32769, 5}}), std::runtime_error);
+  EXPECT_THROW(pictureOf({}), std::runtime_error);
 }
 
 TEST(SavedScene, IsReadAsItWasWritten) {

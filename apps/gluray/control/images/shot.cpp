@@ -35,7 +35,7 @@ RenderedPicture pictureOf(HubSession& hub, const RunningProgram& program, const 
   options.again = true;
   PictureOptions again = options;
   again.scene = "SCENE.gluray";
-  return renderPicture(options, settings, commandOf(again, settings));
+  return renderPictures(options, settings, commandOf(again, settings));
 }
 
 /// What was saved, for people or programs.
