@@ -135,6 +135,39 @@ TEST(GlbGeometry, OfLaterBatchesIsInTheWorldOfTheFirst) {
   EXPECT_EQ(notes.size(), 1u);
 }
 
+TEST(GlbGeometry, TheWorldKeepsAnglesAndStaysPut) {
+  scene::Snapshot s = test::makeSnapshot({test::makeMesh(test::squareData())});
+  const glm::dmat4 stretch = glm::scale(glm::dmat4(1), {8, 1, 1});
+  glm::dmat4 before(0);
+  for (const double turn : {0.0, 0.4}) {
+    s.eyeFromWorld = glm::rotate(glm::translate(glm::dmat4(1), {0, 0, -5}), turn, {0, 1, 0}) * stretch;
+    s.instances[0].eyeFromObject = s.eyeFromWorld;
+    const GlbFile file = exported(s);
+    const glm::dmat4 m = file.matrixOf(file.meshNodes()[0]);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(glm::length(m[c]), c == 0 ? 4 : 0.5, 1e-12) << "by the cube root of 8";
+    for (int c = 0; c < 4 && before != glm::dmat4(0); ++c) EXPECT_LT(glm::length(m[c] - before[c]), 1e-12);
+    before = m;
+  }
+}
+
+TEST(GlbGeometry, AMirroredViewIsAMirroredWorld) {
+  scene::Snapshot s = test::makeSnapshot({test::makeMesh(test::squareData())});
+  s.camera.clipFromEye = glm::perspective(0.7, 1.0, 0.1, 10.0) * glm::scale(glm::dmat4(1), {-1, 1, 1});
+  s.instances[0].eyeFromObject = s.eyeFromWorld = glm::translate(glm::dmat4(1), {0.5, 0, -5});
+  s.instances[0].cull = scene::CullFace::front;
+  const GlbFile file = exported(s);
+  ASSERT_TRUE(file.gltf.contains("cameras"));
+  const size_t node = file.meshNodes()[0];
+  EXPECT_LT(glm::determinant(file.matrixOf(node)), 0);
+  EXPECT_EQ(file.indices(file.primitive(0).at("indices"))[1], 1u)
+      << "the window shows the side that is its front";
+  // The square's middle is left of the middle of the window, so it is left of the camera's line of sight.
+  const glm::dmat4 camera = file.matrixOf(node + 1);
+  const glm::dvec3 middle(file.matrixOf(node)[3]);
+  EXPECT_NEAR(glm::dot(middle - glm::dvec3(camera[3]), glm::dvec3(camera[0])), -0.5, 1e-9);
+}
+
 TEST(GlbGeometry, ViewsAreThoseOfCameras) {
   scene::Snapshot first = test::makeSnapshot({test::makeMesh(test::squareData())});
   first.camera.clipFromEye = glm::perspective(0.7, 1.0, 0.1, 10.0);

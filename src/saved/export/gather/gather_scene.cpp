@@ -44,10 +44,10 @@ class ViewGatherer {
     scene_.views.emplace_back();
     placed_.clear();
     const Snapshot& first = *batches.front().snapshot;
-    const glm::dmat4 worldFromEye = glm::inverse(first.eyeFromWorld);
+    const glm::dmat4 eyeFromWorld = eyeFromWorldOf(first), worldFromEye = glm::inverse(eyeFromWorld);
     for (const ViewBatch& batch : batches) addBatch(*batch.snapshot, worldFromEye * batch.viewFromEye);
     if (!abilities_.camera) return;
-    gatherCamera(first, scene_.views.back(), scene_.notes);
+    gatherCamera(first.camera, eyeFromWorld, scene_.views.back(), scene_.notes);
     gatherLights(batches, worldFromEye, scene_.views.back(), scene_.notes);
   }
 

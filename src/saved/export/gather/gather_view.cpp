@@ -13,21 +13,8 @@ namespace {
 
 using scene::LightSource;
 
-/// The near plane of a projection, relative to its middle and to the viewer.
-struct NearPlane {
-  glm::dvec3 middle, right, up;
-  explicit NearPlane(const glm::dmat4& clipFromEye) {
-    const glm::dmat4 eyeFromClip = glm::inverse(clipFromEye);
-    const auto at = [&](double x, double y) {
-      const glm::dvec4 p = eyeFromClip * glm::dvec4(x, y, -1, 1);
-      return glm::dvec3(p) / p.w;
-    };
-    middle = at(0, 0), right = at(1, 0) - at(-1, 0), up = at(0, 1) - at(0, -1);
-  }
-};
-
 bool isSmall(double value, double against) {
-  constexpr double kTolerance = 1e-4;
+  constexpr double kTolerance = 2e-3;  // matrices of programs are floats
   return std::abs(value) <= kTolerance * against;
 }
 
@@ -48,19 +35,23 @@ bool isBlack(const LightSource& light) { return light.color == glm::vec3(0) || l
 
 }  // namespace
 
-void gatherCamera(const scene::Snapshot& first, ExportedView& view, Notes& notes) {
+void gatherCamera(const scene::Camera& camera, const glm::dmat4& eyeFromWorld, ExportedView& view,
+                  Notes& notes) {
   constexpr const char* kOther = "a camera that is neither a perspective nor a parallel view was left out";
+  scene::Snapshot seen;  // without surfaces
+  seen.camera = camera, seen.eyeFromWorld = eyeFromWorld;
   try {
-    const frame::Viewer viewer(first);
-    const NearPlane plane(first.camera.clipFromEye);
+    const frame::Viewer viewer(seen);
+    const NearPlane plane(camera);
     const double width = glm::length(plane.right), height = glm::length(plane.up);
     const glm::dvec3 sight = plane.middle - viewer.position();
     const bool right = isSmall(glm::dot(plane.right, plane.up), width * height);
-    const bool mirrored = glm::dot(glm::cross(plane.right, plane.up), viewer.axes().front) < 0;
-    const frame::CameraDescription camera = frame::describeCamera(first);
-    const double numbers = camera.angle + camera.height + camera.near + camera.far + width / height;
-    if (!right || mirrored || !std::isfinite(numbers) || !(camera.far > camera.near) ||
-        (viewer.isPerspective() && !(camera.near > 0))) {
+    const bool mirrored = plane.isMirrored() != (glm::determinant(eyeFromWorld) < 0);
+    const frame::CameraDescription described = frame::describeCamera(seen);
+    const double numbers =
+        described.angle + described.height + described.near + described.far + width / height;
+    if (!right || mirrored || !std::isfinite(numbers) || !(described.far > described.near) ||
+        (viewer.isPerspective() && !(described.near > 0))) {
       notes.insert(kOther);
       return;
     }
@@ -68,7 +59,7 @@ void gatherCamera(const scene::Snapshot& first, ExportedView& view, Notes& notes
     if (viewer.isPerspective() && !(isSmall(glm::dot(sight, plane.right), aside * width) &&
                                     isSmall(glm::dot(sight, plane.up), aside * height)))
       notes.insert("a camera whose image is not about its axis was written as one whose is");
-    view.camera = camera, view.aspect = width / height;
+    view.camera = described, view.aspect = width / height;
   } catch (const std::exception&) { notes.insert(kOther); }
 }
 
