@@ -233,6 +233,30 @@ TEST(GlbGeometry, LeavesOutPlacesThatAreNoNumbers) {
   EXPECT_EQ(notes.size(), 1u);
 }
 
+TEST(GlbGeometry, ClipPlanesCutSurfaces) {
+  test::MeshData data = test::squareData();
+  data.colors = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}, {0, 0, 0, 1}};
+  scene::Snapshot s = test::makeSnapshot({test::makeMesh(data)});
+  s.eyeFromWorld = glm::translate(glm::dmat4(1), {1, 0, -3});
+  s.instances[0].eyeFromObject = s.eyeFromWorld;
+  s.instances[0].clipPlanes = {{-2, 0, 0, 3}, {0, 1, 0, 9}};  // x <= 1.5 in eye space, 0.5 in object space
+  const GlbFile file = exported(s);
+  const auto positions = file.attribute(0, "POSITION"), colors = file.attribute(0, "COLOR_0");
+  double area = 0;
+  const auto indices = file.indices(file.primitive(0).at("indices"));
+  for (size_t i = 0; i < indices.size(); i += 3) {
+    const glm::vec3 a(positions[indices[i]]), b(positions[indices[i + 1]]), c(positions[indices[i + 2]]);
+    area += 0.5 * glm::cross(b - a, c - a).z;
+  }
+  EXPECT_NEAR(area, 3, 1e-6) << "of 4, and no triangle turned";
+  EXPECT_EQ(file.accessor(file.primitive(0)["attributes"]["POSITION"])["max"], test::json({0.5, 1, 0}));
+  for (size_t i = 0; i < colors.size(); ++i)
+    EXPECT_NEAR(scene::encodedSrgb(colors[i].r), (positions[i].x + 1) / 2, 1e-6f);
+  s.instances.push_back(s.instances[0]);
+  s.instances[1].clipPlanes = {{1, 0, 0, -9}};
+  EXPECT_EQ(exported(s).meshNodes().size(), 1u) << "nothing is left of the other";
+}
+
 TEST(GlbGeometry, PointsAndLinesStayPointsAndLines) {
   test::MeshData data = test::squareData();
   data.indices = {0, 1, 1, 2, 2, 3};

@@ -182,7 +182,6 @@ class Gatherer {
     if (f.edges) notes_.insert("painted edges of triangles were left out");
     if (f.rim.on) notes_.insert("changes of colour towards silhouettes were left out");
     if (!f.matcap.empty()) notes_.insert("light from images of spheres was left out");
-    if (!instance().clipPlanes.empty()) notes_.insert("clip planes were left out: surfaces are whole");
   }
 
   const render::Surface& surface_;
@@ -204,8 +203,7 @@ bool ShownSurfaces::isAlike(const Shading& shading, const scene::Instance& a, co
   if (byPlace && (a.eyeFromObject != b.eyeFromObject || a.normalMatrix != b.normalMatrix)) return false;
   return a.color == b.color && a.normal == b.normal && a.materials == b.materials &&
          a.texcoord == b.texcoord && a.texcoordsAbove == b.texcoordsAbove &&
-         a.triangleColors == b.triangleColors && a.triangleOffset == b.triangleOffset && a.cull == b.cull &&
-         a.clipPlanes.empty() == b.clipPlanes.empty();
+         a.triangleColors == b.triangleColors && a.triangleOffset == b.triangleOffset && a.cull == b.cull;
 }
 
 const ShownSurface& ShownSurfaces::of(const render::Surface& honest, const Shading& given,
