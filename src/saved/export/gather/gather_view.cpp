@@ -12,6 +12,7 @@ namespace gluray::saved {
 namespace {
 
 using scene::LightSource;
+using scene::Shading;
 
 bool isSmall(double value, double against) {
   constexpr double kTolerance = 2e-3;  // matrices of programs are floats
@@ -32,6 +33,32 @@ ExportedLight headlight(const glm::vec3& color) {
 }
 
 bool isBlack(const LightSource& light) { return light.color == glm::vec3(0) || light.strength == 0; }
+
+/// The lights of a surface that is lit, in world space.
+std::vector<ExportedLight> lightsOf(const scene::Snapshot& s, const scene::Instance& instance,
+                                    const glm::dmat4& worldFromEye) {
+  const Shading& shading = s.shadings[instance.shading];
+  std::vector<ExportedLight> lights;
+  const auto add = [&](ExportedLight light) {
+    if (!isBlack(light.source)) lights.push_back(std::move(light));
+  };
+  if (!scene::isProgram(shading)) {
+    for (const scene::Light& light : shading.lights) add(inWorld(render::sourceOf(light), worldFromEye));
+    return lights;
+  }
+  const glm::dmat4 eyeFrom = render::eyeFromLighting(instance, shading, frame::Viewer(s).away());
+  for (const scene::FragmentLight& light : shading.fragment.lights)
+    add(light.kind == scene::FragmentLight::headlight
+            ? headlight(light.color)
+            : inWorld(render::sourceOf(light, eyeFrom), worldFromEye));
+  return lights;
+}
+
+/// Lights of programs are in the spaces of their surfaces: those of one kind count as equal.
+bool haveEqualLights(const Shading& a, const Shading& b) {
+  return scene::isProgram(a) == scene::isProgram(b) && a.lights == b.lights &&
+         a.fragment.lights.size() == b.fragment.lights.size();
+}
 
 }  // namespace
 
@@ -65,34 +92,28 @@ void gatherCamera(const scene::Camera& camera, const glm::dmat4& eyeFromWorld, E
 
 void gatherLights(const ViewBatches& batches, const glm::dmat4& worldFromEye, ExportedView& view,
                   Notes& notes) {
+  const Shading* chosen = nullptr;
   for (const auto& [s, viewFromEye] : batches)
     for (const scene::Instance& instance : s->instances) {
-      const scene::Shading& shading = s->shadings[instance.shading];
-      if (!scene::isLit(shading) || instance.ground) continue;
-      const auto add = [&](ExportedLight light) {
-        if (!isBlack(light.source)) view.lights.push_back(std::move(light));
-      };
-      if (!scene::isProgram(shading)) {
-        for (const scene::Light& light : shading.lights)
-          add(inWorld(render::sourceOf(light), worldFromEye * viewFromEye));
-      } else {
-        const glm::dmat4 eyeFrom = render::eyeFromLighting(instance, shading, frame::Viewer(*s).away());
-        for (const scene::FragmentLight& light : shading.fragment.lights)
-          add(light.kind == scene::FragmentLight::headlight
-                  ? headlight(light.color)
-                  : inWorld(render::sourceOf(light, eyeFrom), worldFromEye * viewFromEye));
-        if (shading.fragment.pbr.environment.on())
-          notes.insert("light from images of an environment was left out");
+      const Shading& shading = s->shadings[instance.shading];
+      if (!scene::isLit(shading) || instance.ground || &shading == chosen) continue;
+      if (!chosen) {
+        chosen = &shading;
+        view.lights = lightsOf(*s, instance, worldFromEye * viewFromEye);
+      } else if (!haveEqualLights(*chosen, shading)) {
+        notes.insert("of lights that shine on some surfaces alone, those of the first surface were written");
+        break;
       }
-      const auto distanceCounts = [](const ExportedLight& light) {
-        return light.source.kind != LightSource::Kind::distant;
-      };
-      if (std::any_of(view.lights.begin(), view.lights.end(), distanceCounts))
-        notes.insert(
-            "lights at places fade by the square of the distance in files: they were made as bright as "
-            "they are in the middle of the scene");
-      return;
     }
+  if (chosen && chosen->fragment.pbr.environment.on())
+    notes.insert("light from images of an environment was left out");
+  const auto hasPlace = [](const ExportedLight& light) {
+    return light.source.kind != LightSource::Kind::distant;
+  };
+  if (std::any_of(view.lights.begin(), view.lights.end(), hasPlace))
+    notes.insert(
+        "lights at places fade by the square of the distance in files: they were made as bright as they are "
+        "in the middle of the scene");
 }
 
 }  // namespace gluray::saved
