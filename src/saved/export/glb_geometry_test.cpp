@@ -254,6 +254,9 @@ TEST(GlbGeometry, ClipPlanesCutSurfaces) {
     EXPECT_NEAR(scene::encodedSrgb(colors[i].r), (positions[i].x + 1) / 2, 1e-6f);
   s.instances.push_back(s.instances[0]);
   s.instances[1].clipPlanes = {{1, 0, 0, -9}};
+  s.instances[1].color = {1, 0, 0, 1};
+  s.shadings.push_back(s.shadings[0]);
+  s.shadings[1].lighting = true, s.instances[1].shading = 1;
   EXPECT_EQ(exported(s).meshNodes().size(), 1u) << "nothing is left of the other";
 }
 

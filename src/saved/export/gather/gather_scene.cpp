@@ -244,6 +244,7 @@ ExportedScene gatherScene(const std::vector<scene::SnapshotPtr>& batches, const 
   SceneParts parts(scene);
   ViewGatherer gatherer(scene, parts, abilities);
   for (const ViewBatches& view : views) gatherer.add(view);
+  dropUnused(scene);
   return scene;
 }
 
