@@ -273,6 +273,14 @@ TEST(GlbMaterials, LightsAreAsBrightAsThePrograms) {
   EXPECT_NEAR(lights[1]["intensity"], glm::pi<double>() * scene::decodedSrgb(0.5f) * 4, 1e-5);
   EXPECT_EQ(lights[1]["color"], json({1, 0, 0}));
   EXPECT_NEAR(lights[1]["spot"]["outerConeAngle"], glm::radians(30.0), 1e-6);
+  lamp.spotCutoff = 180, lamp.position = {3, 0, 4, 1}, lamp.attenuation = {0.5f, 0, 0};
+  s.shadings[0].lights = {lamp};
+  const GlbFile far = exported(s);
+  const json light = far.gltf["extensions"]["KHR_lights_punctual"]["lights"][0];
+  EXPECT_EQ(light["type"], "directional") << "far away, without fading";
+  EXPECT_NEAR(light["intensity"], glm::pi<double>(), 1e-5) << "twice its half";
+  const glm::dvec3 back(far.matrixOf(1)[2]);
+  EXPECT_LT(glm::length(back - glm::dvec3(0.6, 0, 0.8)), 1e-6);
 }
 
 }  // namespace

@@ -117,7 +117,8 @@ class Scenes {
   void addCamera(const ExportedView& view, json& roots) {
     json seen = json::array();  // lights that follow the viewer
     const WorldBox box(scene_, view);
-    for (const ExportedLight& light : view.lights) {
+    for (const ExportedLight& given : view.lights) {
+      const ExportedLight light = fileLight(given, box);
       const std::optional<json> described = lightOf(light, box);
       if (!described || (light.followsViewer && !view.camera)) continue;
       json& lights = gltf_["extensions"]["KHR_lights_punctual"]["lights"];

@@ -112,8 +112,8 @@ void gatherLights(const ViewBatches& batches, const glm::dmat4& worldFromEye, Ex
   };
   if (std::any_of(view.lights.begin(), view.lights.end(), hasPlace))
     notes.insert(
-        "lights at places fade by the square of the distance in files: they were made as bright as they are "
-        "in the middle of the scene");
+        "lights at places were approximated: in files they fade by the square of the distance, or shine "
+        "from one direction");
 }
 
 }  // namespace gluray::saved
