@@ -260,6 +260,28 @@ TEST(GlbGeometry, ClipPlanesCutSurfaces) {
   EXPECT_EQ(exported(s).meshNodes().size(), 1u) << "nothing is left of the other";
 }
 
+TEST(GlbGeometry, PaintedEdgesAreLines) {
+  scene::Snapshot s = test::makeSnapshot({test::makeMesh(test::squareData())});
+  scene::FragmentShading& f = s.shadings[0].fragment;
+  f.model = scene::FragmentShading::Model::phong, f.edges = true, f.edgeColor = {1, 0, 0};
+  GlbFile file = exported(s);
+  ASSERT_EQ(file.meshNodes().size(), 2u);
+  EXPECT_EQ(file.primitive(0).at("mode"), 1);
+  EXPECT_EQ(file.indices(file.primitive(0).at("indices")),
+            (std::vector<uint32_t>{0, 1, 0, 2, 0, 3, 1, 2, 2, 3}));
+  EXPECT_EQ(file.materialOf(0)["pbrMetallicRoughness"]["baseColorFactor"], test::json({1, 0, 0, 1}));
+  EXPECT_EQ(file.accessor(file.primitive(0)["attributes"]["POSITION"]),
+            file.accessor(file.primitive(1)["attributes"]["POSITION"]));
+  // Without the diagonal: the last edge of the first triangle and the first of the second.
+  s.instances[0].triangleEdges = gluray::test::makeAttribute<uint8_t>({9, 3, 6}, scene::Format::bits8);
+  s.instances[0].triangleOffset = 1;
+  EXPECT_EQ(exported(s).gltf["accessors"][1]["count"], 8);
+  f.edgesAlone = true;
+  file = exported(s);
+  EXPECT_EQ(file.meshNodes().size(), 1u) << "lines alone";
+  EXPECT_EQ(file.primitive(0).at("mode"), 1);
+}
+
 TEST(GlbGeometry, PointsAndLinesStayPointsAndLines) {
   test::MeshData data = test::squareData();
   data.indices = {0, 1, 1, 2, 2, 3};

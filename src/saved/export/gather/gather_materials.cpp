@@ -222,7 +222,6 @@ class Gatherer {
                            : given_.lighting && given_.twoSided && pair.front.diffuse != pair.back.diffuse;
     if (backs) notes_.insert("back faces have the colours of front faces");
     if (given_.fog.mode != scene::Fog::off) notes_.insert("fog was left out");
-    if (f.edges) notes_.insert("painted edges of triangles were left out");
     if (f.rim.on) notes_.insert("changes of colour towards silhouettes were left out");
     if (!f.matcap.empty()) notes_.insert("light from images of spheres was left out");
   }

@@ -5,6 +5,7 @@
 #include "render/local/honest_look.h"
 #include "render/local/lighting_space.h"
 #include "saved/export/gather/clipped_mesh.h"
+#include "saved/export/gather/edge_lines.h"
 #include "saved/export/gather/gather_materials.h"
 #include "saved/export/gather/gather_view.h"
 #include "saved/export/gather/scene_parts.h"
@@ -131,8 +132,31 @@ class ViewGatherer {
       shown.material.unlit = true;
     }
     out.colors = shown.colors, out.texcoords = shown.texcoords;
+    const scene::FragmentShading& f = given.fragment;
+    if (f.edges && mode == MeshMode::triangles)
+      addEdges(*surface.instance, f, shown.material, corners, out, world);
+    if (f.edges && f.edgesAlone) return;
     out.material = parts_.material(shown.material);
     place(std::move(out), world, *surface.instance);
+  }
+
+  /// Painted edges of `surface`, which is not placed yet.
+  void addEdges(const Instance& instance, const scene::FragmentShading& f, ExportedMaterial material,
+                const CornersPtr& corners, const ExportedMesh& surface, const glm::dmat4& world) {
+    ExportedMesh lines;
+    lines.mode = MeshMode::lines;
+    lines.positions = sourceOf(instance.mesh, instance.mesh->positions, nullptr, kPositions);
+    if (!abilities_.lines || !parts_.extent(lines.positions).finite)
+      return scene_.note("painted edges of triangles were left out");
+    lines.indices = edgeIndices(instance);
+    if (!lines.indices) return;
+    scene_.note("painted edges of triangles were written as lines, which have no width in files");
+    material = {f.edgesAlone ? material.color : glm::vec4(f.edgeColor, f.edgeOpacity)};
+    material.unlit = true;
+    if (material.color.a < 1) material.alpha = ExportedMaterial::Alpha::blend;
+    if (f.edgesAlone && !corners) lines.colors = surface.colors;
+    lines.material = parts_.material(material);
+    place(std::move(lines), world, instance);
   }
 
   SourcePtr sourceOf(const scene::MeshPtr& mesh, const scene::Attribute& a, const CornersPtr& corners,
