@@ -140,6 +140,10 @@ class Scene:
         if colored:  # VTK reads positions alone
             off = np.abs(np.array([lines[i][3:] for i in colored], float) - self.colors[colored, :3]).max()
             self.expect(off <= 1e-4, f"OBJ: colours are {off:.2g} off")
+        materials = path.with_suffix(".mtl").read_text()
+        images = [line.split()[-1] for line in materials.splitlines() if line.startswith("map_Kd")]
+        self.expect(all((self.folder / image).exists() for image in images), "OBJ: an image is missing")
+        self.expect(bool(images) == self.glb.textured, "OBJ: textures")
         groups = path.read_text().count("\ng ")
         # The balls and tubes of an instance are one group.
         self.expect(0 < groups <= len(self.glb.parts), f"OBJ: {groups} groups of {len(self.glb.parts)} nodes")

@@ -2,6 +2,7 @@
 #include "saved/testing/test_export.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <png.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -77,6 +78,49 @@ TEST(ExportScene, WritesObjWithMaterials) {
   EXPECT_EQ(groups, "g instance_0;g object_7_instance_1;");
   EXPECT_NE(textOf(files.file("a.mtl")).find("newmtl material_0\n"), std::string::npos);
   EXPECT_EQ(files.names(), (std::set<std::string>{"a.obj", "a.mtl"}));
+}
+
+/// Two texels, the lower one red and the upper one green, on a square.
+scene::SnapshotPtr twoTexelSquare() {
+  test::MeshData data = test::squareData();
+  data.texcoords = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 0, 1}};
+  scene::Snapshot s = test::makeSnapshot({test::makeMesh(data)});
+  auto image = std::make_shared<scene::TextureImage>();
+  image->width = 1, image->height = 2, image->texels = {0xFF0000FF, 0xFF00FF00};
+  s.shadings[0].textures.resize(1);
+  scene::Texture& t = s.shadings[0].textures[0];
+  t.image = image;
+  t.wrapS = t.wrapT = scene::Wrap::clampToEdge, t.magFilter = t.minFilter = scene::Filter::nearest;
+  return std::make_shared<const scene::Snapshot>(s);
+}
+
+TEST(ExportScene, WritesTexturesBesideObj) {
+  const TemporaryFolderFiles files;
+  ASSERT_TRUE(exportScene({twoTexelSquare()}, files.file("a.obj"), SceneFormat::obj).written);
+  EXPECT_EQ(files.names(), (std::set<std::string>{"a.obj", "a.mtl", "a_0.png"}));
+  EXPECT_NE(textOf(files.file("a.mtl")).find("map_Kd -clamp on a_0.png\n"), std::string::npos);
+  EXPECT_NE(textOf(files.file("a.obj")).find("vt 1 1\n"), std::string::npos);
+  EXPECT_NE(textOf(files.file("a.obj")).find("f 1/1 2/2 3/3\n"), std::string::npos);
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  ASSERT_TRUE(png_image_begin_read_from_file(&png, files.file("a_0.png").c_str())) << png.message;
+  png.format = PNG_FORMAT_RGBA;
+  uint32_t texels[2] = {};
+  ASSERT_TRUE(png_image_finish_read(&png, nullptr, texels, 0, nullptr)) << png.message;
+  EXPECT_EQ(texels[0], 0xFF00FF00) << "upright, since t = 0 is the lower edge in OBJ files";
+  EXPECT_EQ(texels[1], 0xFF0000FF);
+}
+
+TEST(ExportScene, WritesTexturesAsColoursOfVerticesInPly) {
+  const TemporaryFolderFiles files;
+  const ExportResult result = exportScene({twoTexelSquare()}, files.file("a.ply"), SceneFormat::ply);
+  ASSERT_TRUE(result.written) << result.why;
+  EXPECT_EQ(result.notes, std::vector<std::string>{"textures were written as colours of vertices"});
+  const std::string text = textOf(files.file("a.ply")), end = "end_header\n";
+  const size_t at = text.find(end) + end.size();
+  for (const size_t vertex : {0, 1, 2, 3})
+    EXPECT_EQ(text.substr(at + 16 * vertex + 12, 4),
+              vertex < 2 ? std::string("\xFF\0\0\xFF", 4) : std::string("\0\xFF\0\xFF", 4));
 }
 
 TEST(ExportScene, RefusesAFrameWithoutSurfaces) {

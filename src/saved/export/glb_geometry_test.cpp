@@ -135,6 +135,39 @@ TEST(GlbGeometry, OfLaterBatchesIsInTheWorldOfTheFirst) {
   EXPECT_EQ(notes.size(), 1u);
 }
 
+TEST(GlbGeometry, TheWorldKeepsAnglesAndStaysPut) {
+  scene::Snapshot s = test::makeSnapshot({test::makeMesh(test::squareData())});
+  const glm::dmat4 stretch = glm::scale(glm::dmat4(1), {8, 1, 1});
+  glm::dmat4 before(0);
+  for (const double turn : {0.0, 0.4}) {
+    s.eyeFromWorld = glm::rotate(glm::translate(glm::dmat4(1), {0, 0, -5}), turn, {0, 1, 0}) * stretch;
+    s.instances[0].eyeFromObject = s.eyeFromWorld;
+    const GlbFile file = exported(s);
+    const glm::dmat4 m = file.matrixOf(file.meshNodes()[0]);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(glm::length(m[c]), c == 0 ? 4 : 0.5, 1e-12) << "by the cube root of 8";
+    for (int c = 0; c < 4 && before != glm::dmat4(0); ++c) EXPECT_LT(glm::length(m[c] - before[c]), 1e-12);
+    before = m;
+  }
+}
+
+TEST(GlbGeometry, AMirroredViewIsAMirroredWorld) {
+  scene::Snapshot s = test::makeSnapshot({test::makeMesh(test::squareData())});
+  s.camera.clipFromEye = glm::perspective(0.7, 1.0, 0.1, 10.0) * glm::scale(glm::dmat4(1), {-1, 1, 1});
+  s.instances[0].eyeFromObject = s.eyeFromWorld = glm::translate(glm::dmat4(1), {0.5, 0, -5});
+  s.instances[0].cull = scene::CullFace::front;
+  const GlbFile file = exported(s);
+  ASSERT_TRUE(file.gltf.contains("cameras"));
+  const size_t node = file.meshNodes()[0];
+  EXPECT_LT(glm::determinant(file.matrixOf(node)), 0);
+  EXPECT_EQ(file.indices(file.primitive(0).at("indices"))[1], 1u)
+      << "the window shows the side that is its front";
+  // The square's middle is left of the middle of the window, so it is left of the camera's line of sight.
+  const glm::dmat4 camera = file.matrixOf(node + 1);
+  const glm::dvec3 middle(file.matrixOf(node)[3]);
+  EXPECT_NEAR(glm::dot(middle - glm::dvec3(camera[3]), glm::dvec3(camera[0])), -0.5, 1e-9);
+}
+
 TEST(GlbGeometry, ViewsAreThoseOfCameras) {
   scene::Snapshot first = test::makeSnapshot({test::makeMesh(test::squareData())});
   first.camera.clipFromEye = glm::perspective(0.7, 1.0, 0.1, 10.0);
@@ -198,6 +231,55 @@ TEST(GlbGeometry, LeavesOutPlacesThatAreNoNumbers) {
   const GlbFile file = exported(test::makeSnapshot({test::makeMesh(data)}), &notes);
   EXPECT_EQ(file.attribute(0, "POSITION").size(), 6u) << "the corners of two triangles";
   EXPECT_EQ(notes.size(), 1u);
+}
+
+TEST(GlbGeometry, ClipPlanesCutSurfaces) {
+  test::MeshData data = test::squareData();
+  data.colors = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}, {0, 0, 0, 1}};
+  scene::Snapshot s = test::makeSnapshot({test::makeMesh(data)});
+  s.eyeFromWorld = glm::translate(glm::dmat4(1), {1, 0, -3});
+  s.instances[0].eyeFromObject = s.eyeFromWorld;
+  s.instances[0].clipPlanes = {{-2, 0, 0, 3}, {0, 1, 0, 9}};  // x <= 1.5 in eye space, 0.5 in object space
+  const GlbFile file = exported(s);
+  const auto positions = file.attribute(0, "POSITION"), colors = file.attribute(0, "COLOR_0");
+  double area = 0;
+  const auto indices = file.indices(file.primitive(0).at("indices"));
+  for (size_t i = 0; i < indices.size(); i += 3) {
+    const glm::vec3 a(positions[indices[i]]), b(positions[indices[i + 1]]), c(positions[indices[i + 2]]);
+    area += 0.5 * glm::cross(b - a, c - a).z;
+  }
+  EXPECT_NEAR(area, 3, 1e-6) << "of 4, and no triangle turned";
+  EXPECT_EQ(file.accessor(file.primitive(0)["attributes"]["POSITION"])["max"], test::json({0.5, 1, 0}));
+  for (size_t i = 0; i < colors.size(); ++i)
+    EXPECT_NEAR(scene::encodedSrgb(colors[i].r), (positions[i].x + 1) / 2, 1e-6f);
+  s.instances.push_back(s.instances[0]);
+  s.instances[1].clipPlanes = {{1, 0, 0, -9}};
+  s.instances[1].color = {1, 0, 0, 1};
+  s.shadings.push_back(s.shadings[0]);
+  s.shadings[1].lighting = true, s.instances[1].shading = 1;
+  EXPECT_EQ(exported(s).meshNodes().size(), 1u) << "nothing is left of the other";
+}
+
+TEST(GlbGeometry, PaintedEdgesAreLines) {
+  scene::Snapshot s = test::makeSnapshot({test::makeMesh(test::squareData())});
+  scene::FragmentShading& f = s.shadings[0].fragment;
+  f.model = scene::FragmentShading::Model::phong, f.edges = true, f.edgeColor = {1, 0, 0};
+  GlbFile file = exported(s);
+  ASSERT_EQ(file.meshNodes().size(), 2u);
+  EXPECT_EQ(file.primitive(0).at("mode"), 1);
+  EXPECT_EQ(file.indices(file.primitive(0).at("indices")),
+            (std::vector<uint32_t>{0, 1, 0, 2, 0, 3, 1, 2, 2, 3}));
+  EXPECT_EQ(file.materialOf(0)["pbrMetallicRoughness"]["baseColorFactor"], test::json({1, 0, 0, 1}));
+  EXPECT_EQ(file.accessor(file.primitive(0)["attributes"]["POSITION"]),
+            file.accessor(file.primitive(1)["attributes"]["POSITION"]));
+  // Without the diagonal: the last edge of the first triangle and the first of the second.
+  s.instances[0].triangleEdges = gluray::test::makeAttribute<uint8_t>({9, 3, 6}, scene::Format::bits8);
+  s.instances[0].triangleOffset = 1;
+  EXPECT_EQ(exported(s).gltf["accessors"][1]["count"], 8);
+  f.edgesAlone = true;
+  file = exported(s);
+  EXPECT_EQ(file.meshNodes().size(), 1u) << "lines alone";
+  EXPECT_EQ(file.primitive(0).at("mode"), 1);
 }
 
 TEST(GlbGeometry, PointsAndLinesStayPointsAndLines) {

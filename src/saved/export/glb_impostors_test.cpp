@@ -109,6 +109,15 @@ TEST(GlbImpostors, AreRoundInTheProgramsSpace) {
   EXPECT_LT(glm::length(upper - glm::vec3(1.25f, 0.25f, 0.25f)), 1e-6f);
 }
 
+TEST(GlbImpostors, ClipPlanesCutThem) {
+  scene::Snapshot s = spheres({{0, 0, 0}, {4, 0, 0}}, {1, 1}, {{1, 0, 0, 1}, {1, 0, 0, 1}});
+  s.instances[0].clipPlanes = {{-1, 0, 0, 0.25}};
+  const GlbFile file = exported(s);
+  ASSERT_EQ(file.meshNodes().size(), 1u);
+  EXPECT_EQ(boundsOf(file, 0).first, glm::vec3(-1));
+  EXPECT_LT(glm::length(boundsOf(file, 0).second - glm::vec3(0.25f, 1, 1)), 1e-6f);
+}
+
 TEST(GlbImpostors, SticksHaveTwoColoursAndRoundEnds) {
   scene::Snapshot s = spheres({{0, 0, 0}, {0, 0, 4}}, {0.5f, 0.5f}, {{1, 0, 0, 1}, {0, 0, 1, 1}});
   auto mesh = std::make_shared<scene::Mesh>(*s.instances[0].mesh);

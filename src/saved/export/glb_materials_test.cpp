@@ -159,6 +159,42 @@ TEST(GlbMaterials, TexturesThatTheFormatLacksColourVertices) {
   EXPECT_EQ(notes.size(), 1u);
 }
 
+TEST(GlbMaterials, CombinedTexturesThatAreFactorsStay) {
+  scene::Snapshot s = square(texturedSquare());
+  scene::Texture t = smallTexture();
+  t.env = scene::TexEnv::combine;
+  using Combine = scene::Combine;
+  t.combine.rgb.arguments[1].source = Combine::primary;
+  t.combine.alphaPart.function = Combine::replace;
+  t.combine.alphaPart.arguments[0] = {Combine::previous, Combine::alpha};
+  s.shadings[0].textures = {t};
+  s.instances[0].color = {0, 1, 1, 1};
+  GlbFile file = exported(s);
+  EXPECT_EQ(baseColor(file), glm::vec4(0, 1, 1, 1));
+  EXPECT_TRUE(file.gltf.contains("images")) << "a product";
+  t.combine.rgb.function = Combine::addSigned;
+  s.shadings[0].textures = {t};
+  EXPECT_FALSE(exported(s).gltf.contains("images"));
+}
+
+TEST(GlbMaterials, OfSeveralFactorsTheLargestTextureStays) {
+  scene::Snapshot s = square(texturedSquare());
+  auto image = std::make_shared<scene::TextureImage>();
+  image->width = image->height = 1, image->texels = {0xFF0000FF};
+  scene::Texture red = smallTexture();
+  red.image = image, red.unit = 1;
+  s.shadings[0].textures = {red, smallTexture()};
+  s.shadings[0].textures[0].unit = 0, s.shadings[0].textures[1].unit = 1;
+  s.instances[0].texcoordsAbove = {{0.5f, 0.5f, 0, 1}};
+  std::vector<std::string> notes;
+  const GlbFile file = exported(s, &notes);
+  int width = 0;
+  EXPECT_EQ(pixelsOf(file, width).size(), 6u);
+  EXPECT_EQ(glm::vec3(file.attribute(0, "COLOR_0")[3]), glm::vec3(1, 0, 0)) << "the other one's colour";
+  EXPECT_EQ(glm::vec2(file.attribute(0, "TEXCOORD_0")[3]), glm::vec2(0.5f)) << "the coordinates of its unit";
+  EXPECT_EQ(notes.size(), 1u);
+}
+
 TEST(GlbMaterials, AColourMapIsATexture) {
   scene::Snapshot s = square(texturedSquare());
   FragmentShading& f = s.shadings[0].fragment;
@@ -237,6 +273,14 @@ TEST(GlbMaterials, LightsAreAsBrightAsThePrograms) {
   EXPECT_NEAR(lights[1]["intensity"], glm::pi<double>() * scene::decodedSrgb(0.5f) * 4, 1e-5);
   EXPECT_EQ(lights[1]["color"], json({1, 0, 0}));
   EXPECT_NEAR(lights[1]["spot"]["outerConeAngle"], glm::radians(30.0), 1e-6);
+  lamp.spotCutoff = 180, lamp.position = {3, 0, 4, 1}, lamp.attenuation = {0.5f, 0, 0};
+  s.shadings[0].lights = {lamp};
+  const GlbFile far = exported(s);
+  const json light = far.gltf["extensions"]["KHR_lights_punctual"]["lights"][0];
+  EXPECT_EQ(light["type"], "directional") << "far away, without fading";
+  EXPECT_NEAR(light["intensity"], glm::pi<double>(), 1e-5) << "twice its half";
+  const glm::dvec3 back(far.matrixOf(1)[2]);
+  EXPECT_LT(glm::length(back - glm::dvec3(0.6, 0, 0.8)), 1e-6);
 }
 
 }  // namespace

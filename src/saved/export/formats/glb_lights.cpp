@@ -27,6 +27,19 @@ WorldBox::WorldBox(const ExportedScene& scene, const ExportedView& view) {
   }
 }
 
+ExportedLight fileLight(ExportedLight light, const WorldBox& box) {
+  constexpr double kFar = 2;  // radii of the box
+  LightSource& source = light.source;
+  const glm::dvec3 way = box.middle() - glm::dvec3(source.position);
+  const glm::vec3& fading = source.attenuation;
+  if (source.kind != LightSource::Kind::point || fading.y != 0 || fading.z != 0 || !(fading.x > 0) ||
+      !(glm::length(way) > kFar * box.radius()))
+    return light;
+  source.kind = LightSource::Kind::distant, source.strength /= fading.x;
+  source.direction = glm::vec3(glm::normalize(way));
+  return light;
+}
+
 std::optional<json> lightOf(const ExportedLight& light, const WorldBox& box) {
   const LightSource& source = light.source;
   const bool distant = source.kind == LightSource::Kind::distant;

@@ -117,7 +117,8 @@ class Scenes {
   void addCamera(const ExportedView& view, json& roots) {
     json seen = json::array();  // lights that follow the viewer
     const WorldBox box(scene_, view);
-    for (const ExportedLight& light : view.lights) {
+    for (const ExportedLight& given : view.lights) {
+      const ExportedLight light = fileLight(given, box);
       const std::optional<json> described = lightOf(light, box);
       if (!described || (light.followsViewer && !view.camera)) continue;
       json& lights = gltf_["extensions"]["KHR_lights_punctual"]["lights"];
@@ -205,6 +206,27 @@ std::string words(std::initializer_list<uint32_t> values) {
   return out;
 }
 
+/// Gathers small parts, of which scenes of many meshes have many.
+class Gathered {
+ public:
+  explicit Gathered(files::Draft& draft) : draft_(draft) {}
+  bool write(std::string_view part) {
+    constexpr size_t kSmall = size_t{1} << 16;
+    if (part.size() >= kSmall) return flush() && draft_.write(part);
+    waiting_ += part;
+    return waiting_.size() < kSmall || flush();
+  }
+  bool flush() {
+    const bool written = waiting_.empty() || draft_.write(waiting_);
+    waiting_.clear();
+    return written;
+  }
+
+ private:
+  files::Draft& draft_;
+  std::string waiting_;
+};
+
 }  // namespace
 
 std::string writeGlb(const ExportedScene& scene, files::Draft& draft) {
@@ -216,11 +238,12 @@ std::string writeGlb(const ExportedScene& scene, files::Draft& draft) {
     return "the scene takes " + std::to_string(total >> 20) +
            " MiB, and glTF files have at most 4 GiB: show less of it, or write it as PLY";
   const auto length = static_cast<uint32_t>(text.size());
-  if (!draft.write(words({kMagic, kVersion, static_cast<uint32_t>(total), length, kJsonChunk}) + text))
-    return "";
-  if (!binary) return "";
-  if (draft.write(words({static_cast<uint32_t>(binary), kBinaryChunk})))
-    buffer.writeTo([&](const char* bytes, size_t size) { return draft.write({bytes, size}); });
+  Gathered out(draft);
+  out.write(words({kMagic, kVersion, static_cast<uint32_t>(total), length, kJsonChunk}));
+  out.write(text);
+  if (binary) out.write(words({static_cast<uint32_t>(binary), kBinaryChunk}));
+  buffer.writeTo([&](const char* bytes, size_t size) { return out.write({bytes, size}); });
+  out.flush();
   return "";
 }
 

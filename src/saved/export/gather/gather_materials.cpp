@@ -37,32 +37,75 @@ class Gatherer {
  private:
   const scene::Instance& instance() const { return *surface_.instance; }
 
+  /// A texture of the surface; `map`: the program's colour map.
+  struct Given {
+    scene::Texture texture;
+    bool map;
+    size_t texels() const {
+      return texture.image ? size_t(texture.image->width) * size_t(texture.image->height) : 0;
+    }
+  };
+
+  std::vector<Given> givenTextures() const {
+    const Shading& honest = *surface_.lighting->shading;
+    const scene::FragmentShading& f = honest.fragment;
+    std::vector<Given> all;
+    if (scene::isProgram(honest) && f.color == scene::FragmentShading::Color::map && !f.map.empty() &&
+        !f.normalColors)
+      all.push_back({asMap(f.map.front()), true});
+    for (const scene::Texture& texture : honest.textures) all.push_back({texture, false});
+    return all;
+  }
+
+  void bake(const Given& given, ShownColors& colors) {
+    colors = texturedColors(surface_, snapshot_.camera, {given.texture}, given.map, colors, corners_);
+  }
+
   /// Colours, and the textures that they are multiplied by.
   void gatherColors() {
     ShownColors colors = shownColors(surface_, corners_, parts_, notes_);
-    const Shading& honest = *surface_.lighting->shading;
-    const bool mapped = scene::isProgram(honest) &&
-                        honest.fragment.color == scene::FragmentShading::Color::map &&
-                        !honest.fragment.map.empty() && !honest.fragment.normalColors;
-    std::vector<scene::Texture> map;
-    if (mapped) map.push_back(asMap(honest.fragment.map.front()));
-    const bool textured = mapped || !honest.textures.empty();
-    if (textured && surface_.mesh->shape == scene::Shape::triangles) {
-      const bool one =
-          map.size() + honest.textures.size() == 1 && (!mapped || honest.fragment.colorExponent == 1);
-      const scene::Texture& only = mapped ? map.front() : honest.textures.front();
-      if (!abilities_.textures || !one || !addTexture(only, mapped, colors)) {
-        if (mapped) colors = texturedColors(surface_, snapshot_.camera, map, true, colors, corners_);
-        if (!honest.textures.empty())
-          colors = texturedColors(surface_, snapshot_.camera, honest.textures, false, colors, corners_);
-        notes_.insert(abilities_.textures
-                          ? "textures that the format lacks were written as colours of vertices"
-                          : "textures were written as colours of vertices");
-      }
-    } else if (textured) {
-      notes_.insert("textures on spheres, tubes, points and lines were left out");
+    const std::vector<Given> textures = givenTextures();
+    if (surface_.mesh->shape != scene::Shape::triangles) {
+      if (!textures.empty()) notes_.insert("textures on spheres, tubes, points and lines were left out");
+    } else if (!textures.empty() && !keepTexture(textures, colors)) {
+      bakeAll(textures, colors);
+      notes_.insert(abilities_.textures ? "textures that the format lacks were written as colours of vertices"
+                                        : "textures were written as colours of vertices");
     }
     out_.material.color = colors.factor, out_.colors = std::move(colors.colors);
+  }
+
+  /// In the order of the units, whose environments may use each other's textures.
+  void bakeAll(const std::vector<Given>& textures, ShownColors& colors) {
+    std::vector<scene::Texture> units;
+    for (const Given& given : textures)
+      if (!given.map) units.push_back(given.texture);
+    if (textures.front().map) bake(textures.front(), colors);
+    if (!units.empty()) colors = texturedColors(surface_, snapshot_.camera, units, false, colors, corners_);
+  }
+
+  /// Makes the only texture that of the material or, if all are factors, the largest one; then the others
+  /// become colours of vertices. False if that is not possible.
+  bool keepTexture(const std::vector<Given>& textures, ShownColors& colors) {
+    const Shading& honest = *surface_.lighting->shading;
+    if (!abilities_.textures || (textures.front().map && honest.fragment.colorExponent != 1)) return false;
+    if (textures.size() == 1) return addTexture(textures.front().texture, textures.front().map, colors);
+    for (const Given& given : textures) {
+      const auto effect = given.map ? TextureEffect() : effectOf(honest, given.texture, false);
+      if (!given.texels() || !effect || !effect->keepsColor || !effect->keepsAlpha) return false;
+    }
+    const auto largest =
+        std::max_element(textures.begin(), textures.end(),
+                         [](const Given& a, const Given& b) { return a.texels() < b.texels(); });
+    ShownColors others = colors;
+    for (auto given = textures.begin(); given != textures.end(); ++given)
+      if (given != largest) bake(*given, others);
+    if (!addTexture(largest->texture, largest->map, others)) return false;
+    colors = others;
+    notes_.insert(
+        "of several textures of a surface the largest was kept; the others were written as colours of "
+        "vertices");
+    return true;
   }
 
   /// Makes the texture the material's; false if it cannot be.
@@ -72,7 +115,7 @@ class Gatherer {
         !colors.colors ? colors.factor.a == 1 : colors.factor.a == 1 && surface_.mesh->opaqueColors;
     const std::optional<TextureEffect> effect =
         map ? TextureEffect() : effectOf(*surface_.lighting->shading, texture, opaque);
-    if (!effect || (!effect->keepsColor && effect->keepsAlpha && !opaque)) return false;
+    if (!effect || (effect->keepsColor != effect->keepsAlpha && !opaque)) return false;
     Notes notes;
     std::optional<ExportedTexture> image = exportedTexture(texture, notes);
     if (!image) return false;
@@ -179,10 +222,8 @@ class Gatherer {
                            : given_.lighting && given_.twoSided && pair.front.diffuse != pair.back.diffuse;
     if (backs) notes_.insert("back faces have the colours of front faces");
     if (given_.fog.mode != scene::Fog::off) notes_.insert("fog was left out");
-    if (f.edges) notes_.insert("painted edges of triangles were left out");
     if (f.rim.on) notes_.insert("changes of colour towards silhouettes were left out");
     if (!f.matcap.empty()) notes_.insert("light from images of spheres was left out");
-    if (!instance().clipPlanes.empty()) notes_.insert("clip planes were left out: surfaces are whole");
   }
 
   const render::Surface& surface_;
@@ -204,8 +245,7 @@ bool ShownSurfaces::isAlike(const Shading& shading, const scene::Instance& a, co
   if (byPlace && (a.eyeFromObject != b.eyeFromObject || a.normalMatrix != b.normalMatrix)) return false;
   return a.color == b.color && a.normal == b.normal && a.materials == b.materials &&
          a.texcoord == b.texcoord && a.texcoordsAbove == b.texcoordsAbove &&
-         a.triangleColors == b.triangleColors && a.triangleOffset == b.triangleOffset && a.cull == b.cull &&
-         a.clipPlanes.empty() == b.clipPlanes.empty();
+         a.triangleColors == b.triangleColors && a.triangleOffset == b.triangleOffset && a.cull == b.cull;
 }
 
 const ShownSurface& ShownSurfaces::of(const render::Surface& honest, const Shading& given,

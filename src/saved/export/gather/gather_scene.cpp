@@ -4,10 +4,13 @@
 #include "render/bsdf/object_rules.h"
 #include "render/local/honest_look.h"
 #include "render/local/lighting_space.h"
+#include "saved/export/gather/clipped_mesh.h"
+#include "saved/export/gather/edge_lines.h"
 #include "saved/export/gather/gather_materials.h"
 #include "saved/export/gather/gather_view.h"
 #include "saved/export/gather/scene_parts.h"
 #include "saved/export/gather/scene_views.h"
+#include "saved/export/gather/shape_meshes.h"
 #include "saved/export/gather/shown_impostors.h"
 #include "scene/failure.h"
 #include "scene/secondary_scene.h"
@@ -15,7 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -26,28 +29,23 @@ using scene::Instance;
 using scene::Shape;
 using scene::Snapshot;
 
-/// Shapes that become nodes of one mesh; more are merged into one.
-constexpr size_t kMostNodes = 4096, kMostColors = 256;
-
-/// Edges of a quarter of a circle.
-int resolutionFor(size_t shapes) {
-  constexpr size_t kMany = 20'000, kVeryMany = 200'000;
-  return shapes <= kMostNodes ? 16 : shapes <= kMany ? 8 : shapes <= kVeryMany ? 4 : 2;
-}
-
 class ViewGatherer {
  public:
   ViewGatherer(ExportedScene& scene, SceneParts& parts, const Abilities& abilities)
-      : scene_(scene), parts_(parts), abilities_(abilities), surfaces_(abilities, parts, scene.notes) {}
+      : scene_(scene),
+        parts_(parts),
+        abilities_(abilities),
+        surfaces_(abilities, parts, scene.notes),
+        shapes_(parts) {}
 
   void add(const ViewBatches& batches) {
     scene_.views.emplace_back();
     placed_.clear();
     const Snapshot& first = *batches.front().snapshot;
-    const glm::dmat4 worldFromEye = glm::inverse(first.eyeFromWorld);
+    const glm::dmat4 eyeFromWorld = eyeFromWorldOf(first), worldFromEye = glm::inverse(eyeFromWorld);
     for (const ViewBatch& batch : batches) addBatch(*batch.snapshot, worldFromEye * batch.viewFromEye);
     if (!abilities_.camera) return;
-    gatherCamera(first, scene_.views.back(), scene_.notes);
+    gatherCamera(first.camera, eyeFromWorld, scene_.views.back(), scene_.notes);
     gatherLights(batches, worldFromEye, scene_.views.back(), scene_.notes);
   }
 
@@ -134,8 +132,31 @@ class ViewGatherer {
       shown.material.unlit = true;
     }
     out.colors = shown.colors, out.texcoords = shown.texcoords;
+    const scene::FragmentShading& f = given.fragment;
+    if (f.edges && mode == MeshMode::triangles)
+      addEdges(*surface.instance, f, shown.material, corners, out, world);
+    if (f.edges && f.edgesAlone) return;
     out.material = parts_.material(shown.material);
-    place(std::move(out), world, surface.instance->object.value);
+    place(std::move(out), world, *surface.instance);
+  }
+
+  /// Painted edges of `surface`, which is not placed yet.
+  void addEdges(const Instance& instance, const scene::FragmentShading& f, ExportedMaterial material,
+                const CornersPtr& corners, const ExportedMesh& surface, const glm::dmat4& world) {
+    ExportedMesh lines;
+    lines.mode = MeshMode::lines;
+    lines.positions = sourceOf(instance.mesh, instance.mesh->positions, nullptr, kPositions);
+    if (!abilities_.lines || !parts_.extent(lines.positions).finite)
+      return scene_.note("painted edges of triangles were left out");
+    lines.indices = edgeIndices(instance);
+    if (!lines.indices) return;
+    scene_.note("painted edges of triangles were written as lines, which have no width in files");
+    material = {f.edgesAlone ? material.color : glm::vec4(f.edgeColor, f.edgeOpacity)};
+    material.unlit = true;
+    if (material.color.a < 1) material.alpha = ExportedMaterial::Alpha::blend;
+    if (f.edgesAlone && !corners) lines.colors = surface.colors;
+    lines.material = parts_.material(material);
+    place(std::move(lines), world, instance);
   }
 
   SourcePtr sourceOf(const scene::MeshPtr& mesh, const scene::Attribute& a, const CornersPtr& corners,
@@ -192,10 +213,20 @@ class ViewGatherer {
   }
 
   /// Adds a node, unless the view has an equal one: programs draw surfaces again for a part of their look.
-  void place(ExportedMesh mesh, const glm::dmat4& world, uint32_t object) {
+  void place(ExportedMesh mesh, const glm::dmat4& world, const Instance& instance,
+             const glm::dmat4& objectFromMesh = glm::dmat4(1)) {
+    if (!instance.clipPlanes.empty()) {
+      const glm::dmat4 rows = glm::transpose(instance.eyeFromObject * objectFromMesh);
+      std::vector<glm::dvec4> planes;
+      for (const glm::dvec4& plane : instance.clipPlanes) planes.push_back(rows * plane);
+      std::optional<ExportedMesh> rest = clipped(mesh, planes);
+      if (!rest) return;
+      mesh = std::move(*rest);
+    }
     const bool plain = isDecomposable(world);
     if (!plain) mesh = moved(mesh, world);
-    const ExportedNode node{parts_.mesh(std::move(mesh)), plain ? world : glm::dmat4(1), object};
+    const ExportedNode node{parts_.mesh(std::move(mesh)), plain ? world : glm::dmat4(1),
+                            instance.object.value};
     std::pair<size_t, std::array<double, 16>> key{node.mesh, {}};
     std::memcpy(key.second.data(), &node.worldFromMesh, sizeof node.worldFromMesh);
     if (placed_.insert(key).second) scene_.views.back().nodes.push_back(node);
@@ -204,69 +235,22 @@ class ViewGatherer {
   void addShapes(const Snapshot& s, const render::Surface& surface, const scene::Shading& given,
                  const glm::dmat4& world) {
     const Instance& instance = *surface.instance;
-    ShownSurface shown = surfaces_.of(surface, given, s, nullptr);
+    const ShownSurface& shown = surfaces_.of(surface, given, s, nullptr);
     const ShownColors colors{shown.material.color, shown.colors};
     const bool flat = !scene::isProgram(given) && !given.smooth;
     std::vector<RoundShape> shapes = shapesOf(instance, s.camera, colors, flat, scene_.notes);
-    if (shapes.empty()) return;
-    const glm::dmat4 placed = world * glm::inverse(glm::dmat4(instance.lightingFromObject));
-    shown.material.color = glm::vec4(1), shown.material.doubleSided = false;
-    std::map<std::array<float, 4>, int> kinds;
-    const bool plain =
-        std::all_of(shapes.begin(), shapes.end(), [](const auto& one) { return one.isPlain(); });
-    for (size_t i = 0; i < shapes.size() && kinds.size() <= kMostColors; ++i) {
-      const glm::vec4& c = shapes[i].color[0];
-      ++kinds[{c.x, c.y, c.z, c.w}];
-    }
-    const bool nodes = abilities_.instances && plain && shapes.size() <= kMostNodes &&
-                       kinds.size() <= kMostColors && isDecomposable(placed);
-    if (!nodes) return addMerged(std::move(shapes), shown.material, placed, instance.object.value);
-    for (const RoundShape& shape : shapes) {
-      ExportedMaterial material = shown.material;
-      material.color = shape.color[0];
-      material.doubleSided = shape.form == RoundForm::disc || shape.form == RoundForm::openTube;
-      ExportedMesh mesh = unitMesh(shape.form);
-      mesh.material = parts_.material(material);
-      place(std::move(mesh), placed * shape.placed(), instance.object.value);
-    }
-  }
-
-  ExportedMesh unitMesh(RoundForm form) {
-    ExportedMesh& kept = units_[static_cast<size_t>(form)];
-    if (!kept.positions) {
-      UnitShape unit = unitShape(form, resolutionFor(0));
-      kept.positions = ownArray(Element::float3, std::move(unit.positions));
-      kept.normals = ownArray(Element::float3, std::move(unit.normals));
-      kept.indices = ownArray(Element::uint32, std::move(unit.indices));
-    }
-    return kept;
-  }
-
-  void addMerged(std::vector<RoundShape> shapes, ExportedMaterial material, const glm::dmat4& placed,
-                 uint32_t object) {
-    const int quarter = resolutionFor(shapes.size());
-    std::array<std::vector<RoundShape>, kRoundForms> byForm;
-    for (const RoundShape& shape : shapes) byForm[static_cast<size_t>(shape.form)].push_back(shape);
-    for (std::vector<RoundShape>& some : byForm) {
-      if (some.empty()) continue;
-      material.doubleSided = some.front().form == RoundForm::disc || some.front().form == RoundForm::openTube;
-      const MergedShapes arrays = merged(std::move(some), quarter);
-      if (!arrays.positions) {
-        scene_.note("spheres and tubes that are too many for one file were left out");
-        continue;
-      }
-      ExportedMesh mesh;
-      mesh.positions = arrays.positions, mesh.normals = arrays.normals, mesh.indices = arrays.indices;
-      mesh.colors = arrays.colors, mesh.material = parts_.material(material);
-      place(std::move(mesh), placed, object);
-    }
+    const glm::dmat4 objectFromShapes = glm::inverse(glm::dmat4(instance.lightingFromObject));
+    const bool mayShare = abilities_.instances && instance.clipPlanes.empty();
+    for (PlacedMesh& placed :
+         shapes_.of(std::move(shapes), shown.material, world * objectFromShapes, mayShare))
+      place(std::move(placed.mesh), placed.worldFromMesh, instance, objectFromShapes);
   }
 
   ExportedScene& scene_;
   SceneParts& parts_;
   const Abilities& abilities_;
   ShownSurfaces surfaces_;
-  std::array<ExportedMesh, kRoundForms> units_;
+  ShapeMeshes shapes_;
   std::set<std::pair<size_t, std::array<double, 16>>> placed_;  // of the view
 };
 
@@ -284,6 +268,7 @@ ExportedScene gatherScene(const std::vector<scene::SnapshotPtr>& batches, const 
   SceneParts parts(scene);
   ViewGatherer gatherer(scene, parts, abilities);
   for (const ViewBatches& view : views) gatherer.add(view);
+  dropUnused(scene);
   return scene;
 }
 

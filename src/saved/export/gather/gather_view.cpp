@@ -12,22 +12,10 @@ namespace gluray::saved {
 namespace {
 
 using scene::LightSource;
-
-/// The near plane of a projection, relative to its middle and to the viewer.
-struct NearPlane {
-  glm::dvec3 middle, right, up;
-  explicit NearPlane(const glm::dmat4& clipFromEye) {
-    const glm::dmat4 eyeFromClip = glm::inverse(clipFromEye);
-    const auto at = [&](double x, double y) {
-      const glm::dvec4 p = eyeFromClip * glm::dvec4(x, y, -1, 1);
-      return glm::dvec3(p) / p.w;
-    };
-    middle = at(0, 0), right = at(1, 0) - at(-1, 0), up = at(0, 1) - at(0, -1);
-  }
-};
+using scene::Shading;
 
 bool isSmall(double value, double against) {
-  constexpr double kTolerance = 1e-4;
+  constexpr double kTolerance = 2e-3;  // matrices of programs are floats
   return std::abs(value) <= kTolerance * against;
 }
 
@@ -46,21 +34,51 @@ ExportedLight headlight(const glm::vec3& color) {
 
 bool isBlack(const LightSource& light) { return light.color == glm::vec3(0) || light.strength == 0; }
 
+/// The lights of a surface that is lit, in world space.
+std::vector<ExportedLight> lightsOf(const scene::Snapshot& s, const scene::Instance& instance,
+                                    const glm::dmat4& worldFromEye) {
+  const Shading& shading = s.shadings[instance.shading];
+  std::vector<ExportedLight> lights;
+  const auto add = [&](ExportedLight light) {
+    if (!isBlack(light.source)) lights.push_back(std::move(light));
+  };
+  if (!scene::isProgram(shading)) {
+    for (const scene::Light& light : shading.lights) add(inWorld(render::sourceOf(light), worldFromEye));
+    return lights;
+  }
+  const glm::dmat4 eyeFrom = render::eyeFromLighting(instance, shading, frame::Viewer(s).away());
+  for (const scene::FragmentLight& light : shading.fragment.lights)
+    add(light.kind == scene::FragmentLight::headlight
+            ? headlight(light.color)
+            : inWorld(render::sourceOf(light, eyeFrom), worldFromEye));
+  return lights;
+}
+
+/// Lights of programs are in the spaces of their surfaces: those of one kind count as equal.
+bool haveEqualLights(const Shading& a, const Shading& b) {
+  return scene::isProgram(a) == scene::isProgram(b) && a.lights == b.lights &&
+         a.fragment.lights.size() == b.fragment.lights.size();
+}
+
 }  // namespace
 
-void gatherCamera(const scene::Snapshot& first, ExportedView& view, Notes& notes) {
+void gatherCamera(const scene::Camera& camera, const glm::dmat4& eyeFromWorld, ExportedView& view,
+                  Notes& notes) {
   constexpr const char* kOther = "a camera that is neither a perspective nor a parallel view was left out";
+  scene::Snapshot seen;  // without surfaces
+  seen.camera = camera, seen.eyeFromWorld = eyeFromWorld;
   try {
-    const frame::Viewer viewer(first);
-    const NearPlane plane(first.camera.clipFromEye);
+    const frame::Viewer viewer(seen);
+    const NearPlane plane(camera);
     const double width = glm::length(plane.right), height = glm::length(plane.up);
     const glm::dvec3 sight = plane.middle - viewer.position();
     const bool right = isSmall(glm::dot(plane.right, plane.up), width * height);
-    const bool mirrored = glm::dot(glm::cross(plane.right, plane.up), viewer.axes().front) < 0;
-    const frame::CameraDescription camera = frame::describeCamera(first);
-    const double numbers = camera.angle + camera.height + camera.near + camera.far + width / height;
-    if (!right || mirrored || !std::isfinite(numbers) || !(camera.far > camera.near) ||
-        (viewer.isPerspective() && !(camera.near > 0))) {
+    const bool mirrored = plane.isMirrored() != (glm::determinant(eyeFromWorld) < 0);
+    const frame::CameraDescription described = frame::describeCamera(seen);
+    const double numbers =
+        described.angle + described.height + described.near + described.far + width / height;
+    if (!right || mirrored || !std::isfinite(numbers) || !(described.far > described.near) ||
+        (viewer.isPerspective() && !(described.near > 0))) {
       notes.insert(kOther);
       return;
     }
@@ -68,40 +86,34 @@ void gatherCamera(const scene::Snapshot& first, ExportedView& view, Notes& notes
     if (viewer.isPerspective() && !(isSmall(glm::dot(sight, plane.right), aside * width) &&
                                     isSmall(glm::dot(sight, plane.up), aside * height)))
       notes.insert("a camera whose image is not about its axis was written as one whose is");
-    view.camera = camera, view.aspect = width / height;
+    view.camera = described, view.aspect = width / height;
   } catch (const std::exception&) { notes.insert(kOther); }
 }
 
 void gatherLights(const ViewBatches& batches, const glm::dmat4& worldFromEye, ExportedView& view,
                   Notes& notes) {
+  const Shading* chosen = nullptr;
   for (const auto& [s, viewFromEye] : batches)
     for (const scene::Instance& instance : s->instances) {
-      const scene::Shading& shading = s->shadings[instance.shading];
-      if (!scene::isLit(shading) || instance.ground) continue;
-      const auto add = [&](ExportedLight light) {
-        if (!isBlack(light.source)) view.lights.push_back(std::move(light));
-      };
-      if (!scene::isProgram(shading)) {
-        for (const scene::Light& light : shading.lights)
-          add(inWorld(render::sourceOf(light), worldFromEye * viewFromEye));
-      } else {
-        const glm::dmat4 eyeFrom = render::eyeFromLighting(instance, shading, frame::Viewer(*s).away());
-        for (const scene::FragmentLight& light : shading.fragment.lights)
-          add(light.kind == scene::FragmentLight::headlight
-                  ? headlight(light.color)
-                  : inWorld(render::sourceOf(light, eyeFrom), worldFromEye * viewFromEye));
-        if (shading.fragment.pbr.environment.on())
-          notes.insert("light from images of an environment was left out");
+      const Shading& shading = s->shadings[instance.shading];
+      if (!scene::isLit(shading) || instance.ground || &shading == chosen) continue;
+      if (!chosen) {
+        chosen = &shading;
+        view.lights = lightsOf(*s, instance, worldFromEye * viewFromEye);
+      } else if (!haveEqualLights(*chosen, shading)) {
+        notes.insert("of lights that shine on some surfaces alone, those of the first surface were written");
+        break;
       }
-      const auto distanceCounts = [](const ExportedLight& light) {
-        return light.source.kind != LightSource::Kind::distant;
-      };
-      if (std::any_of(view.lights.begin(), view.lights.end(), distanceCounts))
-        notes.insert(
-            "lights at places fade by the square of the distance in files: they were made as bright as "
-            "they are in the middle of the scene");
-      return;
     }
+  if (chosen && chosen->fragment.pbr.environment.on())
+    notes.insert("light from images of an environment was left out");
+  const auto hasPlace = [](const ExportedLight& light) {
+    return light.source.kind != LightSource::Kind::distant;
+  };
+  if (std::any_of(view.lights.begin(), view.lights.end(), hasPlace))
+    notes.insert(
+        "lights at places were approximated: in files they fade by the square of the distance, or shine "
+        "from one direction");
 }
 
 }  // namespace gluray::saved

@@ -7,8 +7,8 @@
 
 namespace gluray::saved {
 
-/// Sets the view's camera from its first batch. World: that batch's.
-void gatherCamera(const scene::Snapshot& first, ExportedView&, Notes&);
+/// Sets the view's camera from that of its first batch.
+void gatherCamera(const scene::Camera&, const glm::dmat4& eyeFromWorld, ExportedView&, Notes&);
 
 /// Sets the view's lights: the program's, of the first surface that is lit.
 void gatherLights(const ViewBatches& batches, const glm::dmat4& worldFromEye, ExportedView&, Notes&);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -35,6 +36,19 @@ struct MoveTangent {
     *out = glm::vec4(moved, in->w * side);
   }
 };
+
+/// Keeps what is used, in its order. Returns the new numbers.
+template <class T>
+std::vector<size_t> keepUsed(std::vector<T>& all, const std::set<size_t>& used) {
+  std::vector<size_t> numbers(all.size());
+  std::vector<T> kept;
+  for (const size_t i : used) {
+    numbers[i] = kept.size();
+    kept.push_back(std::move(all[i]));
+  }
+  all = std::move(kept);
+  return numbers;
+}
 
 size_t hashOf(const glm::vec4& color) {
   return std::hash<std::string_view>()({reinterpret_cast<const char*>(&color), sizeof color});
@@ -81,6 +95,22 @@ size_t SceneParts::mesh(ExportedMesh mesh) {
   mesh.lower = extent.lower, mesh.upper = extent.upper;
   scene_.meshes.push_back(std::move(mesh));
   return at->second;
+}
+
+void dropUnused(ExportedScene& scene) {
+  std::set<size_t> materials, textures;
+  for (const ExportedMesh& mesh : scene.meshes) materials.insert(mesh.material);
+  const std::vector<size_t> material = keepUsed(scene.materials, materials);
+  for (ExportedMesh& mesh : scene.meshes) mesh.material = material[mesh.material];
+  const auto eachUse = [&](const auto& visit) {
+    for (ExportedMaterial& m : scene.materials)
+      for (TextureUse* use : {&m.base, &m.metallicRoughness, &m.normal, &m.occlusion, &m.emissionMap})
+        if (*use) visit(*use);
+  };
+  eachUse([&](const TextureUse& use) { textures.insert(static_cast<size_t>(use.texture)); });
+  const std::vector<size_t> texture = keepUsed(scene.textures, textures);
+  eachUse(
+      [&](TextureUse& use) { use.texture = static_cast<int>(texture[static_cast<size_t>(use.texture)]); });
 }
 
 bool isDecomposable(const glm::dmat4& m) {

@@ -41,6 +41,9 @@ class SceneParts {
   std::unordered_multimap<size_t, size_t> materials_;  // by the hash of their colour
 };
 
+/// Removes materials that no mesh has, and textures that no material has.
+void dropUnused(ExportedScene&);
+
 /// Whether a matrix is a translation, rotation and scaling, which nodes of every format can have.
 bool isDecomposable(const glm::dmat4&);
 

@@ -30,12 +30,51 @@ std::optional<glm::dmat4> viewFromEye(const Snapshot& first, const Snapshot& bat
   return scene::eyeFromEye(first, batch);
 }
 
+/// The orthogonal polar factor, by Newton's iteration (Higham, "Computing the Polar Decomposition", 1986).
+glm::dmat3 orthogonalPart(glm::dmat3 m) {
+  constexpr int kSteps = 60;
+  for (int i = 0; i < kSteps; ++i) m = 0.5 * (m + glm::inverse(glm::transpose(m)));
+  return m;
+}
+
+bool keepsAngles(const glm::dmat3& m) {
+  constexpr double kRounding = 1e-5;
+  const glm::dmat3 squared = glm::transpose(m) * m;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r)
+      if (!(std::abs(squared[c][r] - (c == r ? squared[0][0] : 0)) <= kRounding * squared[0][0]))
+        return false;
+  return true;
+}
+
 int64_t pixelsOf(const ViewBatches& view) {
   const glm::ivec4& viewport = view.front().snapshot->camera.viewport;
   return int64_t{viewport.z} * viewport.w;
 }
 
 }  // namespace
+
+NearPlane::NearPlane(const scene::Camera& camera) {
+  const glm::dmat4 eyeFromClip = glm::inverse(camera.clipFromEye);
+  const double first = camera.firstNdcDepth();
+  const auto at = [&](double x, double y) {
+    const glm::dvec4 p = eyeFromClip * glm::dvec4(x, y, first, 1);
+    return glm::dvec3(p) / p.w;
+  };
+  middle = at(0, 0), right = at(1, 0) - at(-1, 0), up = at(0, 1) - at(0, -1);
+  const glm::dvec4 start = eyeFromClip * glm::dvec4(0, 0, first, 1), step = -first * eyeFromClip[2];
+  away = (glm::dvec3(step) - middle * step.w) / start.w;
+}
+
+glm::dmat4 eyeFromWorldOf(const Snapshot& first) {
+  const glm::dmat3 m(first.eyeFromWorld);
+  const double volume = glm::determinant(m), side = NearPlane(first.camera).isMirrored() ? -1 : 1;
+  if (volume == 0 || !std::isfinite(volume) || (keepsAngles(m) && volume * side > 0))
+    return first.eyeFromWorld;
+  glm::dmat4 world(std::cbrt(std::abs(volume)) * orthogonalPart(volume * side < 0 ? -m : m));
+  world[3] = first.eyeFromWorld[3];
+  return world;
+}
 
 std::vector<ViewBatches> sceneViewsOf(const std::vector<scene::SnapshotPtr>& batches) {
   std::vector<ViewBatches> views;

@@ -50,6 +50,36 @@ struct KeepFinite {
   }
 };
 
+/// What a part of GL_COMBINE makes of the texture and the result before.
+enum class Mix : uint8_t { product, texture, before, other };
+
+Mix mixOf(const scene::Combine::Part& part, scene::Combine::Operand operand) {
+  using Combine = scene::Combine;
+  const auto is = [&](int i, bool texture) {
+    const Combine::Argument& a = part.arguments[static_cast<size_t>(i)];
+    const bool fits = texture ? a.source == Combine::texture
+                              : a.source == Combine::previous || a.source == Combine::primary;
+    return fits && a.operand == operand;
+  };
+  if (part.scale != 1) return Mix::other;
+  if (part.function == Combine::replace)
+    return is(0, true) ? Mix::texture : is(0, false) ? Mix::before : Mix::other;
+  const bool both = (is(0, true) && is(1, false)) || (is(0, false) && is(1, true));
+  return part.function == Combine::modulate && both ? Mix::product : Mix::other;
+}
+
+/// `white`: the result before is white.
+std::optional<TextureEffect> effectOfCombine(const scene::Combine& combine, bool white) {
+  const Mix color = mixOf(combine.rgb, scene::Combine::color),
+            alpha = mixOf(combine.alphaPart, scene::Combine::alpha);
+  if (color == Mix::other || alpha == Mix::other || (color == Mix::before && alpha != Mix::product))
+    return {};
+  TextureEffect effect{white || color != Mix::texture, white || alpha != Mix::texture, Texels::all};
+  if (color == Mix::before) effect.texels = Texels::white;
+  if (alpha == Mix::before) effect.texels = Texels::opaque;
+  return effect;
+}
+
 }  // namespace
 
 std::optional<ExportedTexture> exportedTexture(const Texture& t, Notes& notes) {
@@ -112,6 +142,7 @@ std::optional<TextureEffect> effectOf(const scene::Shading& shading, const Textu
     case TexEnv::decal:
       if (!noAlpha && !t.image->opaque) return {};
       return TextureEffect{white, true, Texels::opaque};
+    case TexEnv::combine: return effectOfCombine(t.combine, white);
     default: return {};
   }
 }
