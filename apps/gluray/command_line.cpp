@@ -84,7 +84,8 @@ bool namesCommand(int argc, char** argv, Command& command) {
                                                           {"hub", Command::hub},
                                                           {"environment", Command::environment},
                                                           {"uninstall", Command::uninstall},
-                                                          {"render", Command::render}};
+                                                          {"render", Command::render},
+                                                          {"export", Command::exportScene}};
   if (argc > 1 && namesControlCommand(argv[1], command)) return true;
   const auto found = argc > 1 ? commands.find(argv[1]) : commands.end();
   if (found == commands.end()) return false;
@@ -140,12 +141,22 @@ void describeRender(CLI::App& app, CommandLine& line) {
   addSettingOptions(app, line.settings, false);
 }
 
+void describeExport(CLI::App& app, CommandLine& line) {
+  app.description(
+      "Writes a scene that `gluray save` saved in a form that other programs read: glTF 2.0, OBJ or PLY.");
+  app.name("gluray export");
+  app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray")->required();
+  app.add_option("FILE", line.picture.file, "Name of the new file, ending in .glb, .obj or .ply")->required();
+  app.add_flag("--json", line.json, "Print JSON");
+}
+
 /// Adds the options and the help text of the command in `line`.
 void describe(CLI::App& app, CommandLine& line) {
   const auto usage = [&](const char* text) { app.get_formatter()->label("OPTIONS", text); };
   if (line.command == Command::timeline) return describeTimeline(app, line);
   if (line.command == Command::hub) return describeHub(app, line);
   if (line.command == Command::render) return describeRender(app, line);
+  if (line.command == Command::exportScene) return describeExport(app, line);
   if (line.command != Command::run && line.command != Command::panel)
     app.add_flag("--json", line.json, "Print JSON");
   if (describeControl(app, line)) return;
@@ -223,7 +234,8 @@ void describe(CLI::App& app, CommandLine& line) {
 /// Whether a program may follow the options: the others take names or a file.
 bool takesProgram(Command command) {
   return command != Command::timeline && command != Command::get && command != Command::presets &&
-         command != Command::hub && command != Command::render && !isControlCommand(command);
+         command != Command::hub && command != Command::render && command != Command::exportScene &&
+         !isControlCommand(command);
 }
 
 /// Index of the program's word, from `first` on: after "--", or the first word that is neither an option

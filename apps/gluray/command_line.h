@@ -39,7 +39,8 @@ enum class Command {
   camera,
   film,
   save,
-  render
+  render,
+  exportScene
 };
 
 /// Options of gluray hub; empty: not given.

@@ -33,7 +33,7 @@ Commands for running programs:
   gluray get --live NAME   the value of a setting in the running programs
   gluray watch             print changes of settings, and programs that start or end
   gluray shot FILE.png     save the image of a program's window; with --size in any size
-  gluray save FILE.gluray  save what a program shows as a scene
+  gluray save FILE         save what a program shows as a scene (.gluray), glTF (.glb), .obj or .ply
   gluray film FILE.png     save the next frames of a window as numbered images
   gluray hub               pass messages between running programs and these commands
 
@@ -46,6 +46,7 @@ Commands for the scenes of running programs:
 
 Pictures of saved scenes:
   gluray render SCENE.gluray FILE.png   make a picture of any size, without the program
+  gluray export SCENE.gluray FILE       write it as glTF (.glb), .obj or .ply
 
 After a run:
   gluray timeline FILE     print the work of each thread in a run with --timeline FILE

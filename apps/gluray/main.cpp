@@ -9,6 +9,7 @@
 #include "doctor/probe_context.h"
 #include "doctor/uninstall.h"
 #include "explain/explain.h"
+#include "pictures/export.h"
 #include "pictures/render.h"
 #include "programs/environment.h"
 #include "programs/launch.h"
@@ -51,6 +52,7 @@ int perform(const CommandLine& line) {
     case Command::timeline: return showTimeline(line);
     case Command::hub: return runHub(line);
     case Command::render: return renderSaved(line);
+    case Command::exportScene: return exportSaved(line);
     default: return run(line);
   }
 }

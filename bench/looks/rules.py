@@ -3,7 +3,7 @@ import math
 
 LIMITS = {"brightness": (0.85, 1.15), "lost": (0, 0.01), "hue": (0, 6), "burnt": (0, 0.01), "order": (0.98, 1), "depth": (0.1, math.inf)}
 
-SMOOTH = ("figure", "poster")  # looks with smooth edges: their pictures are compared with the program's own multisampled ones
+SMOOTH = ("presentation", "figure", "poster", "streamlines", "molecule", "metal", "outdoor")  # looks with smooth edges: their pictures are compared with the program's own multisampled ones
 
 OWN_LIGHT = "it keeps the program's own light, which is all at the viewer here"
 REFLECTION = "metal mirrors the bright and dark parts of the studio"

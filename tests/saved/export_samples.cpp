@@ -4,6 +4,7 @@
 //   gluray-export-samples --large TRIANGLES FILE
 #include "frame/tracing/renderer.h"
 #include "saved/export/export_scene.h"
+#include "saved/testing/libpng_encoder.h"
 #include "tests/saved/sample_scenes.h"
 #include "tests/support/drawn_image.h"
 
@@ -49,7 +50,8 @@ int writeAll(const std::string& folder) {
     printf("%s\n", sample.name.c_str());
     const std::string stem = folder + "/" + sample.name;
     for (const char* ending : {".glb", ".obj", ".ply"})
-      if (!isWritten(saved::exportScene({sample.snapshot}, stem + ending, *saved::sceneFormatOf(ending))))
+      if (!isWritten(saved::exportScene({sample.snapshot}, stem + ending, *saved::sceneFormatOf(ending),
+                                        saved::test::encodePng)))
         return 1;
     if (!writePicture(*sample.snapshot, stem + ".png")) return 1;
   }
@@ -62,7 +64,7 @@ int measure(const std::string& triangles, const std::string& file) {
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t before = std::clock();
     const auto format = saved::sceneFormatOf(file);
-    if (!format || !isWritten(saved::exportScene({s}, file, *format))) return 1;
+    if (!format || !isWritten(saved::exportScene({s}, file, *format, saved::test::encodePng))) return 1;
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     struct stat status {};
     stat(file.c_str(), &status);

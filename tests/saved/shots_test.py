@@ -119,6 +119,18 @@ class Shots(unittest.TestCase):
         self.assertEqual(size_of(self.file("shot.png")), (400, 200))
         self.assertEqual(self.names(), ["large.png", "scene.gluray", "shot.png", "window.png"])
 
+    def test_other_programs_read_scenes(self):
+        self.saved()
+        self.done("save", "program.glb")
+        for name in ("scene.glb", "scene.obj", "scene.ply"):
+            self.assertIn("MB", self.done("export", "scene.gluray", name).stdout)
+        self.assertTrue(self.file("scene.glb").read_bytes() == self.file("program.glb").read_bytes())
+        glb = self.file("scene.glb").read_bytes()
+        self.assertEqual(struct.unpack("<4sII", glb[:12]), (b"glTF", 2, len(glb)))
+        self.assertTrue(self.file("scene.ply").read_bytes().startswith(b"ply\nformat binary_little_endian"))
+        self.refused(2, ["export", "scene.gluray", "scene.fbx"], "ends in .glb, .obj or .ply")
+        self.refused(1, ["export", "missing.gluray", "x.glb"], "No such file")
+
     def test_turntables_are_numbered(self):
         self.saved()
         run = self.done("render", "scene.gluray", "turn-%02d.png", "--turntable", "4", "--size", "80x60")
@@ -180,7 +192,7 @@ class Shots(unittest.TestCase):
 
     def test_mistakes_get_one_line(self):
         self.saved()
-        self.refused(2, ["save", "scene.png"], "ends in .gluray")
+        self.refused(2, ["save", "scene.png"], "ends in .gluray, or in .glb")
         self.refused(2, ["render", "scene.gluray", "picture.jpg"], "ends in .png")
         self.refused(1, ["render", "scene.gluray", "picture.png", "--size", "0x5"], "use WIDTHxHEIGHT")
         self.refused(1, ["render", "scene.gluray", "picture.png", "--size", "40000x5"], "32768")

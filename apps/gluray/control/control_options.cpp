@@ -115,9 +115,9 @@ bool describeControl(CLI::App& app, CommandLine& line) {
     case Command::save:
       app.description(
           "Saves what a running program shows as a scene, from which `gluray render` makes pictures without "
-          "the\n"
-          "program.");
-      app.add_option("FILE", options.file, "Name of the scene, ending in .gluray")->required();
+          "the\nprogram, or in a form that other programs read: glTF 2.0, OBJ or PLY.");
+      app.add_option("FILE", options.file, "Name of the file, ending in .gluray, .glb, .obj or .ply")
+          ->required();
       break;
     default: describeSceneCommand(app, line); break;
   }

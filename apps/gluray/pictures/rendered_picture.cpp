@@ -4,11 +4,10 @@
 #include "base/hash.h"
 #include "control/images/film_plan.h"
 #include "pictures/band_file.h"
+#include "pictures/engine_function.h"
 #include "pictures/png_writer.h"
-#include "programs/doors.h"
 #include "saved/program/render.h"
 
-#include <dlfcn.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -22,15 +21,6 @@ namespace gluray::launcher {
 namespace {
 
 using Render = int (*)(const GlurayRenderRequest*, const GlurayRenderSink*, char*, unsigned long);
-
-Render engine() {
-  const std::string library = libraryDirectory() + "/libgluray-engine.so";
-  void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!handle) throw std::runtime_error(std::string("install GLuRay again: ") + dlerror());
-  const auto render = reinterpret_cast<Render>(dlsym(handle, "glurayRender"));
-  if (!render) throw std::runtime_error("install GLuRay again: another one's library is " + library);
-  return render;
-}
 
 /// A hash of all that decides about the picture. A scene's file is never changed in place.
 Hash128 identityOf(const PictureOptions& o, const std::vector<std::string>& settings) {
@@ -153,7 +143,7 @@ void trace(const PictureOptions& options, const std::vector<std::string>& settin
                                     .settingCount = static_cast<int>(texts.size())};
   const GlurayRenderSink sink{&work, begin, takeRows, finish, takeNote};
   char why[1024] = "";
-  if (engine()(&request, &sink, why, sizeof why)) return;
+  if (engineFunction<Render>("glurayRender")(&request, &sink, why, sizeof why)) return;
   throw std::runtime_error(work.why.empty() ? why : work.why);
 }
 

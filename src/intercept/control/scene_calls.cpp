@@ -19,8 +19,8 @@ namespace {
 using control::Called;
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 6> kCalls = {"objects", "pick",    "highlight",
-                                                    "lights",  "cameras", "save"};
+constexpr std::array<std::string_view, 7> kCalls = {"objects", "pick", "highlight", "lights",
+                                                    "cameras", "save", "saved"};
 constexpr int64_t kMaxObjects = 1000;  // in one answer
 
 /// An integer member of the arguments; `otherwise` if it is missing. Throws if it is not an integer in its
@@ -79,6 +79,7 @@ Called SceneCalls::call(const std::string& name, const json& arguments, json& va
     if (name == "highlight") value = highlight(arguments, *frame);
     if (name == "lights") value = {{"lights", describeLights(viewsOf(frames))}};
     if (name == "save") value = save(arguments, *frame);
+    if (name == "saved") value = {{"saved", saver_.isSaved(control::textIn(arguments, "file"))}};
     if (name == "cameras") value = {{"cameras", describeCameras(viewsOf(frames))}};
   } catch (const std::runtime_error& error) { why = error.what(); }
   return Called::done;
@@ -169,11 +170,11 @@ json SceneCalls::pick(const json& arguments, const gl::ShownFrame& frame, size_t
 json SceneCalls::save(const json& arguments, const gl::ShownFrame& frame) {
   const std::string file = control::textIn(arguments, "file");
   if (file.empty() || file.front() != '/') throw std::runtime_error("file: use a name with its whole path");
-  const saved::SavedScene scene = savedScene(frame, {windowSize_(), gl::shownFrames().places()});
+  saved::SavedScene scene = savedScene(frame, {windowSize_(), gl::shownFrames().places()});
   if (scene.batches.empty()) throw std::runtime_error("it shows no traced surface");
-  if (const std::string why = saved::saveScene(scene, file, true); !why.empty())
-    throw std::runtime_error(why);
-  return {{"frame", frameOf(frame)}, {"width", scene.window.x}, {"height", scene.window.y}};
+  json value{{"frame", frameOf(frame)}, {"width", scene.window.x}, {"height", scene.window.y}};
+  saver_.start(std::move(scene), file);
+  return value;
 }
 
 json SceneCalls::highlight(const json& arguments, const gl::ShownFrame& frame) {

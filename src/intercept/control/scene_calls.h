@@ -1,9 +1,10 @@
 // Calls about the program's scene (docs/control-protocol.md): objects, pick, highlight, lights, cameras,
-// save.
+// save, saved.
 // Control thread.
 #pragma once
 #include "control/link/program/controlled_program.h"
 #include "gl/objects/shown_frames.h"
+#include "intercept/control/scene_saver.h"
 #include "intercept/control/shown_scene.h"
 
 #include <glm/glm.hpp>
@@ -46,6 +47,7 @@ class SceneCalls {
   std::vector<nlohmann::json> list_;                         // objects, in the order of their numbers
   size_t hash_ = 0;                                          // hash of the list without bounds
   uint64_t version_ = 0;
+  SceneSaver saver_;
   double began_ = 0;  // start of the current time in which frames are stored
 };
 

@@ -67,10 +67,11 @@ std::optional<SceneFormat> sceneFormatOf(std::string_view fileName) {
 }
 
 ExportResult exportScene(const std::vector<scene::SnapshotPtr>& batches, const std::string& file,
-                         SceneFormat format) {
+                         SceneFormat format, const PngEncoder& png) {
   ExportResult result;
   try {
-    const ExportedScene scene = gatherScene(batches, abilitiesOf(format));
+    ExportedScene scene = gatherScene(batches, abilitiesOf(format));
+    scene.png = png;
     result.notes.assign(scene.notes.begin(), scene.notes.end());
     const bool empty = std::all_of(scene.views.begin(), scene.views.end(),
                                    [](const ExportedView& view) { return view.nodes.empty(); });

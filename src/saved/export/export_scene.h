@@ -1,6 +1,7 @@
 // Scenes as files of other programs: glTF 2.0 (binary), OBJ with MTL, PLY. What a frame shows, with its own
 // colours, without GLuRay's light (docs/export.md). Any thread.
 #pragma once
+#include "saved/export/arrays/png_encoder.h"
 #include "scene/snapshot.h"
 
 #include <cstdint>
@@ -26,7 +27,7 @@ struct ExportResult {
 /// the first batch's first instance, so that the scenes of a time series fit together. Writes to new files
 /// beside `file` (OBJ: and its MTL file and images) and renames them at the end: after a failure the earlier
 /// files stay. Throws nothing.
-ExportResult exportScene(const std::vector<scene::SnapshotPtr>& batches, const std::string& file,
-                         SceneFormat);
+ExportResult exportScene(const std::vector<scene::SnapshotPtr>& batches, const std::string& file, SceneFormat,
+                         const PngEncoder& png);
 
 }  // namespace gluray::saved

@@ -1,4 +1,5 @@
 // Formats by name, OBJ and PLY, and what stays after failures.
+#include "saved/testing/libpng_encoder.h"
 #include "saved/testing/test_export.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -38,7 +39,8 @@ TEST(ExportScene, KnowsFormatsByTheirNames) {
 
 TEST(ExportScene, WritesPly) {
   const TemporaryFolderFiles files;
-  const ExportResult result = exportScene({colouredSquare()}, files.file("a.ply"), SceneFormat::ply);
+  const ExportResult result =
+      exportScene({colouredSquare()}, files.file("a.ply"), SceneFormat::ply, test::encodePng);
   ASSERT_TRUE(result.written) << result.why;
   const std::string text = textOf(files.file("a.ply"));
   const std::string end = "end_header\n";
@@ -58,7 +60,8 @@ TEST(ExportScene, WritesPly) {
 
 TEST(ExportScene, WritesObjWithMaterials) {
   const TemporaryFolderFiles files;
-  const ExportResult result = exportScene({colouredSquare()}, files.file("a.obj"), SceneFormat::obj);
+  const ExportResult result =
+      exportScene({colouredSquare()}, files.file("a.obj"), SceneFormat::obj, test::encodePng);
   ASSERT_TRUE(result.written) << result.why;
   std::istringstream lines(textOf(files.file("a.obj")));
   std::multiset<std::string> words;
@@ -96,7 +99,8 @@ scene::SnapshotPtr twoTexelSquare() {
 
 TEST(ExportScene, WritesTexturesBesideObj) {
   const TemporaryFolderFiles files;
-  ASSERT_TRUE(exportScene({twoTexelSquare()}, files.file("a.obj"), SceneFormat::obj).written);
+  ASSERT_TRUE(
+      exportScene({twoTexelSquare()}, files.file("a.obj"), SceneFormat::obj, test::encodePng).written);
   EXPECT_EQ(files.names(), (std::set<std::string>{"a.obj", "a.mtl", "a_0.png"}));
   EXPECT_NE(textOf(files.file("a.mtl")).find("map_Kd -clamp on a_0.png\n"), std::string::npos);
   EXPECT_NE(textOf(files.file("a.obj")).find("vt 1 1\n"), std::string::npos);
@@ -113,7 +117,8 @@ TEST(ExportScene, WritesTexturesBesideObj) {
 
 TEST(ExportScene, WritesTexturesAsColoursOfVerticesInPly) {
   const TemporaryFolderFiles files;
-  const ExportResult result = exportScene({twoTexelSquare()}, files.file("a.ply"), SceneFormat::ply);
+  const ExportResult result =
+      exportScene({twoTexelSquare()}, files.file("a.ply"), SceneFormat::ply, test::encodePng);
   ASSERT_TRUE(result.written) << result.why;
   EXPECT_EQ(result.notes, std::vector<std::string>{"textures were written as colours of vertices"});
   const std::string text = textOf(files.file("a.ply")), end = "end_header\n";
@@ -125,7 +130,7 @@ TEST(ExportScene, WritesTexturesAsColoursOfVerticesInPly) {
 
 TEST(ExportScene, RefusesAFrameWithoutSurfaces) {
   const TemporaryFolderFiles files;
-  const ExportResult result = exportScene({}, files.file("a.glb"), SceneFormat::glb);
+  const ExportResult result = exportScene({}, files.file("a.glb"), SceneFormat::glb, test::encodePng);
   EXPECT_FALSE(result.written);
   EXPECT_NE(result.why.find("shows no surface"), std::string::npos);
   EXPECT_TRUE(files.names().empty());
@@ -140,7 +145,8 @@ TEST(ExportScene, KeepsTheLastFileWhenTheDiskIsFull) {
     getrlimit(RLIMIT_FSIZE, &limit);
     const rlimit small{100, limit.rlim_max};
     setrlimit(RLIMIT_FSIZE, &small);
-    const ExportResult result = exportScene({colouredSquare()}, files.file(name), *sceneFormatOf(name));
+    const ExportResult result =
+        exportScene({colouredSquare()}, files.file(name), *sceneFormatOf(name), test::encodePng);
     setrlimit(RLIMIT_FSIZE, &limit);
     EXPECT_FALSE(result.written);
     EXPECT_NE(result.why.find("File too large; free some space, or choose another folder"), std::string::npos)
@@ -157,8 +163,10 @@ TEST(ExportScene, KeepsTheLastFileInAFolderThatMayOnlyBeRead) {
   chmod(files.path().c_str(), 0555);
   const bool root = geteuid() == 0;
   ASSERT_EQ(root ? seteuid(65534) : 0, 0);
-  const ExportResult result = exportScene({colouredSquare()}, files.file("a.glb"), SceneFormat::glb);
-  const ExportResult fresh = exportScene({colouredSquare()}, files.file("b.glb"), SceneFormat::glb);
+  const ExportResult result =
+      exportScene({colouredSquare()}, files.file("a.glb"), SceneFormat::glb, test::encodePng);
+  const ExportResult fresh =
+      exportScene({colouredSquare()}, files.file("b.glb"), SceneFormat::glb, test::encodePng);
   ASSERT_EQ(root ? seteuid(0) : 0, 0);
   chmod(files.path().c_str(), 0755);
   for (const ExportResult& r : {result, fresh}) {
@@ -178,7 +186,7 @@ TEST(ExportScene, RefusesFilesThatTheFormatCannotHold) {
   mesh->vertexCount = 360'000'000, mesh->triangleCount = mesh->vertexCount / 3;
   const TemporaryFolderFiles files;
   const auto s = std::make_shared<const scene::Snapshot>(test::makeSnapshot({mesh}));
-  const ExportResult result = exportScene({s}, files.file("a.glb"), SceneFormat::glb);
+  const ExportResult result = exportScene({s}, files.file("a.glb"), SceneFormat::glb, test::encodePng);
   EXPECT_FALSE(result.written);
   EXPECT_NE(result.why.find("glTF files have at most 4 GiB"), std::string::npos) << result.why;
   EXPECT_TRUE(files.names().empty());
@@ -187,7 +195,7 @@ TEST(ExportScene, RefusesFilesThatTheFormatCannotHold) {
 TEST(ExportScene, SaysWhatToDoAboutNames) {
   const TemporaryFolderFiles files;
   const auto why = [&](const std::string& file) {
-    return exportScene({colouredSquare()}, file, SceneFormat::glb).why;
+    return exportScene({colouredSquare()}, file, SceneFormat::glb, test::encodePng).why;
   };
   EXPECT_EQ(why("/no such/a.glb"),
             "cannot write /no such/a.glb: No such file or directory; make the folder first");

@@ -1,5 +1,5 @@
-/* Renders saved scenes: what libgluray-engine.so exports for `gluray render`. Called by one thread at a time
-   of a process that draws nothing itself. */
+/* Renders and exports saved scenes: what libgluray-engine.so has for `gluray render` and `gluray export`.
+   Called by one thread at a time of a process that draws nothing itself. */
 #pragma once
 #include <stdint.h>
 
@@ -40,6 +40,24 @@ typedef struct GlurayRenderSink {
 /* 1: all pictures are whole; 0: one line in `why`, empty if the sink has ended the work. */
 int glurayRender(const GlurayRenderRequest* request, const GlurayRenderSink* sink, char* why,
                  unsigned long whyBytes);
+
+/* Writes a saved scene in another program's form, which the ending of the file's name says: .glb, .obj, .ply.
+ */
+typedef struct GlurayExportRequest {
+  int version;       /* kGlurayRenderVersion */
+  const char* scene; /* files */
+  const char* file;
+  void* user;
+  /* Makes a PNG file of `channels` bytes a pixel, 3 or 4, and calls take(into, bytes, size) with it. 0:
+   * failed. */
+  int (*png)(void* user, int width, int height, int channels, const uint8_t* pixels,
+             void (*take)(void* into, const void* bytes, unsigned long size), void* into);
+  /* One line about something that was left out or approximated. */
+  void (*note)(void* user, const char* line);
+} GlurayExportRequest;
+
+/* 1: written; 0: one line in `why`, and files of these names stay as they were. */
+int glurayExport(const GlurayExportRequest* request, char* why, unsigned long whyBytes);
 
 #ifdef __cplusplus
 }

@@ -4,6 +4,7 @@
 #include "base/testing/temporary_folder.h"
 #include "saved/export/export_scene.h"
 #include "saved/testing/glb_checker.h"
+#include "saved/testing/libpng_encoder.h"
 #include "scene/srgb.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ inline GlbFile exported(const std::vector<scene::Snapshot>& batches,
   const gluray::test::TemporaryFolder folder;
   std::vector<scene::SnapshotPtr> frozen;
   for (const scene::Snapshot& s : batches) frozen.push_back(std::make_shared<const scene::Snapshot>(s));
-  const ExportResult result = exportScene(frozen, folder.file("a.glb"), SceneFormat::glb);
+  const ExportResult result = exportScene(frozen, folder.file("a.glb"), SceneFormat::glb, test::encodePng);
   EXPECT_TRUE(result.written) << result.why;
   if (notes) *notes = result.notes;
   GlbFile file = GlbFile::parse(textOf(folder.file("a.glb")));

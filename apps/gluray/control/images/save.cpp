@@ -4,6 +4,7 @@
 #include "control/images/window_image.h"
 #include "control/messages/members.h"
 #include "control/one_program.h"
+#include "pictures/export.h"
 #include "saved/sections/saved_picture.h"
 #include "say.h"
 
@@ -11,10 +12,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 
 namespace gluray::launcher {
 namespace {
@@ -63,6 +66,13 @@ struct PartFile {
   }
 };
 
+/// Large scenes take longer than a hub waits for an answer.
+void waitUntilSaved(HubSession& hub, const RunningProgram& program, const std::string& file) {
+  constexpr std::chrono::milliseconds kPause{20};
+  while (!callOf(hub, program, "saved", {{"file", file}}).value("saved", false))
+    std::this_thread::sleep_for(kPause);
+}
+
 }  // namespace
 
 void saveScene(HubSession& hub, const RunningProgram& program, const std::string& file) {
@@ -76,6 +86,7 @@ void saveScene(HubSession& hub, const RunningProgram& program, const std::string
     const Shot shot = takeShot(hub, program);
     const json saved = callOf(hub, program, "save", {{"file", part.path}});
     const auto frame = control::wholeNumber(control::member(saved, "frame"), 0, control::kMaxFrame);
+    waitUntilSaved(hub, program, part.path);
     if (frame && shot.frame && *frame != *shot.frame && left > 1) continue;
     if (frame && shot.frame && *frame != *shot.frame)
       throw std::runtime_error("it shows new frames all the time: pause its animation");
@@ -86,18 +97,34 @@ void saveScene(HubSession& hub, const RunningProgram& program, const std::string
   part.renameTo(file);
 }
 
+namespace {
+
+/// By way of a saved scene beside the file.
+std::vector<std::string> saveInOtherForm(HubSession& hub, const RunningProgram& program,
+                                         const std::string& file) {
+  const PartFile scene(fs::absolute(file).string() + kSceneEnding);
+  saveScene(hub, program, scene.path);
+  return exportScene(scene.path, file);
+}
+
+}  // namespace
+
 int saveProgramsScene(const CommandLine& line) {
   const std::string file = line.control.file;
-  if (!file.ends_with(kSceneEnding) || file.size() == kSceneEnding.size())
-    return say(printable(file) + ": use a name that ends in " + kSceneEnding), kUsageError;
+  const bool own = file.ends_with(kSceneEnding) && file.size() > kSceneEnding.size();
+  if (!own && !isOtherForm(file))
+    return say(printable(file) + ": use a name that ends in .gluray, or in .glb, .obj or .ply"), kUsageError;
   HubSession hub(line);
   const RunningProgram program = oneProgram(hub);
-  labelled(program, [&] { saveScene(hub, program, file); });
+  std::vector<std::string> notes;
+  labelled(program,
+           [&] { own ? saveScene(hub, program, file) : void(notes = saveInOtherForm(hub, program, file)); });
+  for (const std::string& note : notes) say(note);
   std::error_code error;
   const auto bytes = fs::file_size(file, error);
   if (line.json) {
     json found = named(program);
-    found["file"] = file, found["bytes"] = bytes;
+    found["file"] = file, found["bytes"] = bytes, found["notes"] = notes;
     std::cout << jsonText(found) << "\n";
   } else {
     std::cout << labelOf(program) << ": " << printable(file) << ", " << (bytes + 999999) / 1000000 << " MB\n";

@@ -59,13 +59,13 @@ size_t GlbBuffer::colors(const SourcePtr& source) {
   return vertices(linear);
 }
 
-size_t GlbBuffer::image(const ExportedTexture& texture) {
+size_t GlbBuffer::image(const ExportedTexture& texture, const PngEncoder& png) {
   const auto [at, fresh] =
       knownImages_.emplace(std::pair(texture.image.get(), texture.texels), images_.size());
   if (!fresh) return at->second;
   // OpenGL's first row is at t = 0, as the first row of a file is in glTF: texture coordinates stay as they
   // are.
-  const size_t view = addPart({nullptr, pngOf(*texture.image, texture.texels, false)}, 0);
+  const size_t view = addPart({nullptr, pngOf(*texture.image, texture.texels, false, png)}, 0);
   images_.push_back({{"mimeType", "image/png"}, {"bufferView", view}});
   return at->second;
 }

@@ -22,7 +22,7 @@ class GlbBuffer {
   /// The accessor of vertex colours, which are made linear.
   size_t colors(const SourcePtr&);
   /// The image of a texture.
-  size_t image(const ExportedTexture&);
+  size_t image(const ExportedTexture&, const PngEncoder&);
 
   uint64_t bytes() const { return bytes_; }
   /// Adds bufferViews, accessors and images to a glTF object.

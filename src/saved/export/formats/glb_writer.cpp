@@ -172,7 +172,7 @@ void addTextures(const ExportedScene& scene, GlbBuffer& buffer, json& gltf) {
     size_t index = 0;
     while (index < samplers.size() && samplers[index] != sampler) ++index;
     if (index == samplers.size()) samplers.push_back(sampler);
-    gltf["textures"].push_back({{"sampler", index}, {"source", buffer.image(t)}});
+    gltf["textures"].push_back({{"sampler", index}, {"source", buffer.image(t, scene.png)}});
   }
 }
 

@@ -150,7 +150,7 @@ std::string writeObj(const ExportedScene& scene, const std::string& file, files:
   std::string why = add(stem + ".mtl", materialsText(scene, stem));
   for (size_t i = 0; i < scene.textures.size() && why.empty(); ++i)
     why = add(imageName(stem, static_cast<int>(i)),
-              pngOf(*scene.textures[i].image, scene.textures[i].texels, true));
+              pngOf(*scene.textures[i].image, scene.textures[i].texels, true, scene.png));
   if (!why.empty()) return why;
 
   Text head;

@@ -1,10 +1,8 @@
 #include "saved/export/formats/png_bytes.h"
 
-#include <png.h>
-
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 #include <vector>
 
 namespace gluray::saved {
@@ -23,11 +21,13 @@ uint32_t texelOf(const scene::TextureImage& image, size_t i) {
 
 }  // namespace
 
-std::string pngOf(const scene::TextureImage& image, ExportedTexture::Texels texels, bool upright) {
+std::string pngOf(const scene::TextureImage& image, ExportedTexture::Texels texels, bool upright,
+                  const PngEncoder& png) {
   using Texels = ExportedTexture::Texels;
   const bool alpha = texels != Texels::opaque && !image.opaque;
   const auto width = static_cast<size_t>(image.width), height = static_cast<size_t>(image.height);
-  std::vector<uint8_t> bytes;
+  PngPixels pixels{.width = image.width, .height = image.height, .alpha = alpha};
+  std::vector<uint8_t>& bytes = pixels.bytes;
   bytes.reserve(width * height * 4);
   for (size_t row = 0; row < height; ++row)
     for (size_t column = 0; column < width; ++column) {
@@ -35,17 +35,7 @@ std::string pngOf(const scene::TextureImage& image, ExportedTexture::Texels texe
       if (texels == Texels::white) texel |= 0xFFFFFFu;
       for (int c = 0; c < (alpha ? 4 : 3); ++c) bytes.push_back(static_cast<uint8_t>(texel >> (8 * c)));
     }
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  png.width = static_cast<png_uint_32>(width), png.height = static_cast<png_uint_32>(height);
-  png.format = alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
-  png.flags = PNG_IMAGE_FLAG_FAST;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-  std::string out(size, '\0');
-  if (!png_image_write_to_memory(&png, out.data(), &size, 0, bytes.data(), 0, nullptr))
-    throw std::runtime_error(std::string("an image cannot be made a PNG file: ") + png.message);
-  out.resize(size);
-  return out;
+  return png(pixels);
 }
 
 }  // namespace gluray::saved

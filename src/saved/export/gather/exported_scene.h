@@ -3,6 +3,7 @@
 #pragma once
 #include "frame/questions/viewer.h"
 #include "saved/export/arrays/array_source.h"
+#include "saved/export/arrays/png_encoder.h"
 #include "scene/light_source.h"
 #include "scene/texture.h"
 
@@ -98,6 +99,7 @@ struct ExportedScene {
   std::vector<ExportedMaterial> materials;
   std::vector<ExportedTexture> textures;
   std::set<std::string> notes;
+  PngEncoder png;  // of textures
   void note(std::string text) { notes.insert(std::move(text)); }
 };
 

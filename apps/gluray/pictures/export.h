@@ -1,0 +1,21 @@
+// gluray export: saved scenes in other programs' forms.
+#pragma once
+#include "command_line.h"
+
+#include <string>
+#include <vector>
+
+namespace gluray::launcher {
+
+/// Whether the ending of the file's name is that of another program's form: .glb, .obj, .ply.
+bool isOtherForm(const std::string& file);
+
+/// Writes the scene in the form that the ending of `file` says. Returns a line for each kind of thing that
+/// was left out or approximated. Throws std::runtime_error with one line; then a file of that name stays as
+/// it was.
+std::vector<std::string> exportScene(const std::string& scene, const std::string& file);
+
+/// gluray export. Returns the exit code.
+int exportSaved(const CommandLine& line);
+
+}  // namespace gluray::launcher
