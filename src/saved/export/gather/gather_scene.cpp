@@ -225,6 +225,8 @@ class ViewGatherer {
     }
     const bool plain = isDecomposable(world);
     if (!plain) mesh = moved(mesh, world);
+    if (!parts_.extent(mesh.positions).finite)
+      return scene_.note("surfaces that reach beyond the range of numbers were left out");
     const ExportedNode node{parts_.mesh(std::move(mesh)), plain ? world : glm::dmat4(1),
                             instance.object.value};
     std::pair<size_t, std::array<double, 16>> key{node.mesh, {}};

@@ -114,7 +114,10 @@ void dropUnused(ExportedScene& scene) {
 }
 
 bool isDecomposable(const glm::dmat4& m) {
-  constexpr double kSquare = 1e-5;
+  constexpr double kSquare = 1e-5, kLargest = 1e30;  // readers keep floats
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 4; ++r)
+      if (!(std::abs(m[c][r]) <= kLargest)) return false;
   if (m[0].w != 0 || m[1].w != 0 || m[2].w != 0 || m[3].w != 1) return false;
   const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
   const double lx = glm::length(x), ly = glm::length(y), lz = glm::length(z);

@@ -69,8 +69,8 @@ NearPlane::NearPlane(const scene::Camera& camera) {
 glm::dmat4 eyeFromWorldOf(const Snapshot& first) {
   const glm::dmat3 m(first.eyeFromWorld);
   const double volume = glm::determinant(m), side = NearPlane(first.camera).isMirrored() ? -1 : 1;
-  if (volume == 0 || !std::isfinite(volume) || (keepsAngles(m) && volume * side > 0))
-    return first.eyeFromWorld;
+  if (volume == 0 || !std::isfinite(volume)) return glm::dmat4(1);
+  if (keepsAngles(m) && volume * side > 0) return first.eyeFromWorld;
   glm::dmat4 world(std::cbrt(std::abs(volume)) * orthogonalPart(volume * side < 0 ? -m : m));
   world[3] = first.eyeFromWorld[3];
   return world;
