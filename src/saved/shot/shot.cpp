@@ -18,12 +18,6 @@ using Of = scene::Layers::Of;
 constexpr int kRowUnit = 32;      // rows of tiles
 constexpr int kFilterReach = 32;  // pixels around a band that change its filtered light
 
-scene::Region cut(const scene::Region& a, const scene::Region& b) {
-  const int left = std::max(a.x, b.x), bottom = std::max(a.y, b.y);
-  const int right = std::min(a.x + a.width, b.x + b.width), top = std::min(a.y + a.height, b.y + b.height);
-  return {left, bottom, std::max(0, right - left), std::max(0, top - bottom)};
-}
-
 bool isEmpty(const scene::Region& r) { return r.width <= 0 || r.height <= 0; }
 
 bool isFiltered(const scene::Snapshot& s) {
@@ -168,7 +162,7 @@ scene::Snapshot Shot::partOf(const Placed& placed, const scene::Region& part, co
 
 void Shot::draw(Placed& placed, const scene::Region& band, Canvas& canvas) const {
   for (const scene::Region& box : placed.cleared) canvas.clearDepth(box);
-  const scene::Region part = cut(placed.snapshot.region, band);
+  const scene::Region part = common(placed.snapshot.region, band);
   if (isEmpty(part)) return;
   const scene::Snapshot s = partOf(placed, part, canvas);
   frame::TracedImages images(frame::Tracer{
@@ -201,7 +195,7 @@ std::vector<uint32_t> Shot::band(int number) {
   const int top = all.y - number * bandRows_, bottom = std::max(0, top - bandRows_);
   const scene::Region wanted{0, bottom, all.x, top - bottom};
   const scene::Region band =
-      cut({0, bottom - margin_, all.x, top - bottom + 2 * margin_}, {0, 0, all.x, all.y});
+      common({0, bottom - margin_, all.x, top - bottom + 2 * margin_}, {0, 0, all.x, all.y});
   Canvas canvas(band, samples_, behind(band));
   for (Placed& placed : placed_) draw(placed, band, canvas);
   const std::vector<uint32_t> colors = canvas.colors();

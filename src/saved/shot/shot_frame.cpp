@@ -8,16 +8,9 @@ namespace {
 
 using scene::Region;
 
-/// A rectangle of pixels: x, y, width, height.
-glm::ivec4 rounded(const glm::dvec2& low, const glm::dvec2& high) {
-  const glm::ivec2 from(glm::round(low)), to(glm::round(high));
-  return {from, glm::max(to - from, glm::ivec2(1))};
-}
-
-Region cut(const Region& a, const glm::ivec4& b) {
-  const int left = std::max(a.x, b.x), bottom = std::max(a.y, b.y);
-  const int right = std::min(a.x + a.width, b.x + b.z), top = std::min(a.y + a.height, b.y + b.w);
-  return {left, bottom, std::max(0, right - left), std::max(0, top - bottom)};
+Region rounded(const glm::dvec2& low, const glm::dvec2& high) {
+  const glm::ivec2 from(glm::round(low)), to(glm::round(high)), size = glm::max(to - from, glm::ivec2(1));
+  return {from.x, from.y, size.x, size.y};
 }
 
 /// Sizes in normalised device coordinates and pixels follow a change of the projection and of the scale.
@@ -28,6 +21,12 @@ void resize(scene::Impostors& i, const glm::vec2& share, double scale) {
 }
 
 }  // namespace
+
+Region common(const Region& a, const Region& b) {
+  const int left = std::max(a.x, b.x), bottom = std::max(a.y, b.y);
+  const int right = std::min(a.x + a.width, b.x + b.width), top = std::min(a.y + a.height, b.y + b.height);
+  return {left, bottom, std::max(0, right - left), std::max(0, top - bottom)};
+}
 
 ShotFrame::ShotFrame(glm::ivec2 window, glm::ivec2 size, Fit fit)
     : window_(window), size_(size), scale_(glm::dvec2(size) / glm::dvec2(window)) {
@@ -48,20 +47,19 @@ scene::Snapshot ShotFrame::placed(const SavedBatch& batch) const {
   }
   const bool fills = low == glm::ivec2(0) && high == window_;
   const glm::dvec2 from = pictureOf(glm::dvec2(low)), to = pictureOf(glm::dvec2(high));
-  const glm::ivec4 viewport = fills ? glm::ivec4(0, 0, size_) : rounded(from, to);
+  const Region viewport = fills ? Region{0, 0, size_.x, size_.y} : rounded(from, to);
   const glm::dvec2 share = fills ? (to - from) / glm::dvec2(size_) : glm::dvec2(1);
   s.camera.clipFromEye =
       glm::dmat4(share.x, 0, 0, 0, 0, share.y, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1) * s.camera.clipFromEye;
-  s.camera.viewport = viewport;
-  if (s.camera.rowsFromTop != 0) s.camera.rowsFromTop = viewport.y + viewport.w;
+  s.camera.viewport = {viewport.x, viewport.y, viewport.width, viewport.height};
+  if (s.camera.rowsFromTop != 0) s.camera.rowsFromTop = viewport.y + viewport.height;
   // A region that fills its viewport still does.
   const Region& r = s.region;
   const bool whole = r.x == v.x && r.y == v.y && r.width == v.z && r.height == v.w;
   const glm::ivec2 corner = glm::ivec2(r.x, r.y) + batch.place;
-  const glm::ivec4 region =
+  const Region region =
       rounded(pictureOf(glm::dvec2(corner)), pictureOf(glm::dvec2(corner + glm::ivec2(r.width, r.height))));
-  s.region = whole ? Region{viewport.x, viewport.y, viewport.z, viewport.w}
-                   : cut({region.x, region.y, region.z, region.w}, viewport);
+  s.region = whole ? viewport : common(region, viewport);
   s.settings.spp = std::max(s.settings.spp, s.samples);
   s.samples = 1, s.samplePositions.clear();
   for (scene::Instance& instance : s.instances) resize(instance.impostors, glm::vec2(share), scale_.y);

@@ -15,6 +15,9 @@ enum class Fit : uint8_t {
   stretch  // it is distorted
 };
 
+/// The pixels that both have; none: without width or height.
+scene::Region common(const scene::Region& a, const scene::Region& b);
+
 /// Maps the window to the picture. Pixels, from the lower left corners.
 class ShotFrame {
  public:
