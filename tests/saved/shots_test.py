@@ -1,4 +1,4 @@
-"""gluray save, render and shot with a program that runs: shots_test.py GLURAY CLIENT, with an X server at hand."""
+"""gluray save, render and shot with a program that runs: shots_test.py GLURAY CLIENT TOOLKIT, with an X server at hand."""
 import json
 import os
 import pathlib
@@ -11,7 +11,7 @@ import tempfile
 import time
 import unittest
 
-GLURAY, CLIENT = sys.argv[1:3]
+GLURAY, CLIENT, TOOLKIT = sys.argv[1:4]
 WIDTH, HEIGHT = 160, 120  # of the client's window
 PATIENCE = 60  # seconds, on a machine that has much to do
 
@@ -53,9 +53,9 @@ class Shots(unittest.TestCase):
         self.addCleanup(end)
         return process
 
-    def start(self, *options):
+    def start(self, *options, client=(CLIENT, "exposed")):
         self.spawn(GLURAY, "hub", "--with-parent")
-        self.client = self.spawn(GLURAY, *options, "--", CLIENT, "exposed")
+        self.client = self.spawn(GLURAY, *options, "--", *client)
         print("frame", file=self.client.stdin, flush=True)
         self.client.stdout.readline()
         end = time.monotonic() + PATIENCE
@@ -97,6 +97,16 @@ class Shots(unittest.TestCase):
         self.done("shot", "window.png")
         self.assertTrue(pixels(self.file("picture.png")) == pixels(self.file("window.png")))
         self.assertEqual(self.names(), ["picture.png", "scene.gluray", "window.png"])
+
+    def test_toolkits_show_scenes_in_parts_of_their_windows(self):
+        self.start(client=(TOOLKIT,))
+        self.done("shot", "window.png")
+        self.done("save", "scene.gluray")
+        self.done("render", "scene.gluray", "picture.png")
+        width, height = size_of(self.file("picture.png"))
+        self.assertEqual((width, height), (320 - 2 * 40, 240 - 2 * 30))
+        view = pixels(self.file("window.png"), "-crop", f"{width}x{height}+40+30", "+repage")
+        self.assertTrue(pixels(self.file("picture.png")) == view)
 
     def test_pictures_of_light_are_those_of_programs(self):
         scene = self.saved("--ao", "--set", "ao.samples=4", "--set", "refine.passes=4")
@@ -208,4 +218,4 @@ class Shots(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])

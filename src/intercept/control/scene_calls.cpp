@@ -170,10 +170,11 @@ json SceneCalls::pick(const json& arguments, const gl::ShownFrame& frame, size_t
 json SceneCalls::save(const json& arguments, const gl::ShownFrame& frame) {
   const std::string file = control::textIn(arguments, "file");
   if (file.empty() || file.front() != '/') throw std::runtime_error("file: use a name with its whole path");
-  saved::SavedScene scene = savedScene(frame, {windowSize_(), gl::shownFrames().places()});
-  if (scene.batches.empty()) throw std::runtime_error("it shows no traced surface");
-  json value{{"frame", frameOf(frame)}, {"width", scene.window.x}, {"height", scene.window.y}};
-  saver_.start(std::move(scene), file);
+  ShownAsSaved shown = shownAsSaved(frame, {windowSize_(), gl::shownFrames().places()});
+  if (shown.scene.batches.empty()) throw std::runtime_error("it shows no traced surface");
+  json value{{"frame", frameOf(frame)}, {"box", nullptr}};
+  if (const auto& box = shown.box) value["box"] = {box->x, box->y, box->z, box->w};
+  saver_.start(std::move(shown.scene), file);
   return value;
 }
 

@@ -24,8 +24,7 @@ bool isIn(const glm::ivec4& viewport, const glm::dvec2& at) {
 
 }  // namespace
 
-/// Width and height of a framebuffer, estimated from what is drawn into it.
-static glm::ivec2 extentOf(const std::vector<ShownView>& views, uint32_t framebuffer) {
+glm::ivec2 extentOf(const std::vector<ShownView>& views, uint32_t framebuffer) {
   glm::ivec2 extent(0);
   for (const ShownView& view : views)
     for (const gl::ShownBatch* batch : view.batches) {

@@ -46,6 +46,8 @@ std::optional<ShownPoint> pointAt(const std::vector<ShownView>& views, const glm
 /// window, or the only rectangle of its size. Nullopt if the position is unknown.
 std::optional<glm::ivec2> placeOf(const std::vector<ShownView>& views, uint32_t framebuffer,
                                   const ShownWindowPlaces& window);
+/// Width and height of a framebuffer, estimated from what is drawn into it.
+glm::ivec2 extentOf(const std::vector<ShownView>& views, uint32_t framebuffer);
 /// Size of the smallest window that contains the views.
 glm::ivec2 extentOf(const std::vector<ShownView>& views);
 

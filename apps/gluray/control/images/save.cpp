@@ -11,10 +11,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -27,11 +29,30 @@ using nlohmann::json;
 
 const std::string kSceneEnding = ".gluray";
 
-saved::SavedPicture pictureOf(const Pixels& pixels) {
-  saved::SavedPicture picture{pixels.width, pixels.height, {}};
-  picture.pixels.reserve(pixels.count());
-  for (int y = pixels.height - 1; y >= 0; --y)
-    for (int x = 0; x < pixels.width; ++x) {
+/// The part of a window that shows the scene.
+struct Box {
+  int x = 0, y = 0, width = 0, height = 0;  // pixels, from the lower left corner
+};
+
+/// None: not known, or not in a window of this size.
+std::optional<Box> boxIn(const json& saved, const Pixels& window) {
+  const auto found = saved.find("box");
+  if (found == saved.end() || !found->is_array() || found->size() != 4) return std::nullopt;
+  std::array<int, 4> values{};
+  for (size_t i = 0; i < values.size(); ++i) {
+    const auto value = control::wholeNumber(&(*found)[i], 0, 1 << 16);
+    if (!value) return std::nullopt;
+    values[i] = static_cast<int>(*value);
+  }
+  const Box box{values[0], values[1], values[2], values[3]};
+  const bool inside = box.x + box.width <= window.width && box.y + box.height <= window.height;
+  return inside ? std::optional(box) : std::nullopt;
+}
+
+saved::SavedPicture pictureOf(const Pixels& pixels, const Box& box) {
+  saved::SavedPicture picture{box.width, box.height, {}};
+  for (int y = pixels.height - 1 - box.y; y >= pixels.height - box.y - box.height; --y)
+    for (int x = box.x; x < box.x + box.width; ++x) {
       const uint8_t* const rgb =
           pixels.at(static_cast<size_t>(y) * static_cast<size_t>(pixels.width) + static_cast<size_t>(x));
       picture.pixels.push_back(0xff000000u | static_cast<uint32_t>(rgb[0]) |
@@ -90,7 +111,9 @@ void saveScene(HubSession& hub, const RunningProgram& program, const std::string
     if (frame && shot.frame && *frame != *shot.frame && left > 1) continue;
     if (frame && shot.frame && *frame != *shot.frame)
       throw std::runtime_error("it shows new frames all the time: pause its animation");
-    const std::string why = saved::appendPicture(part.path, pictureOf(imageOf(hub, program, shot).pixels));
+    const Pixels window = imageOf(hub, program, shot).pixels;
+    const std::optional<Box> box = boxIn(saved, window);
+    const std::string why = box ? saved::appendPicture(part.path, pictureOf(window, *box)) : "";
     if (!why.empty()) throw std::runtime_error(why);
     break;
   }
