@@ -34,8 +34,8 @@ ComparedRays compareRays(Stage& stage, RayUse use, int threads, int rounds) {
   std::vector<double> seconds;
   Image image;
   for (int round = 0; round < rounds; ++round) {
-    const double base = stage.trace(0, one, image);
-    seconds.push_back(stage.trace(0, more, image) - base);
+    const double base = stage.trace(0, one, image).wall;
+    seconds.push_back(stage.trace(0, more, image).wall - base);
   }
   const auto rays = static_cast<double>(bare.rays);
   return {(kMore - 1) * rays / median(seconds), rays / bare.seconds};

@@ -7,6 +7,7 @@
 #include "bench/light/compare_rays.h"
 #include "bench/light/stage.h"
 #include "frame/refinement/refiner.h"
+#include "settings/layers/presets.h"
 
 #include <CLI/CLI.hpp>
 
@@ -15,6 +16,7 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <stdexcept>
 
 namespace {
 
@@ -25,9 +27,9 @@ using Mode = scene::LightSampling::Mode;
 struct Options {
   bench::StageOptions stage;
   std::vector<std::string> settings, shadows;
-  int frames = 24, rounds = 5, reference = 1024;
+  int frames = 24, step = 1, rounds = 5, reference = 1024;
   bool quick = false, noRays = false, noRest = false;
-  std::string dump, only;
+  std::string dump, only, preset, size;
 };
 
 double secondsOf(const auto& work) {
@@ -44,18 +46,19 @@ class Measurement {
 
   /// Times of frames in turn, and the noise of the last ones.
   void moving() {
-    std::map<std::string, std::vector<double>> times, ratios;
+    std::map<std::string, std::vector<double>> times, ratios, cpu;
     std::map<std::string, Image> images;
     std::vector<double> locals;
     Image local;
     for (int frame = 0; frame < options_.frames; ++frame) {
-      const double base = stage_.trace(frame, kLocal, local);
+      const double base = stage_.trace(frame * options_.step, kLocal, local).wall;
       locals.push_back(base);
       for (const auto& [name, way] : kWays) {
         if (!options_.only.empty() && options_.only != name) continue;
-        const double t = stage_.trace(frame, way, images[name]);
+        const bench::FrameTime t = stage_.trace(frame * options_.step, way, images[name]);
         // The first frames have little history, and fewer pixels that need no rays.
-        if (frame >= options_.frames / 3) times[name].push_back(t), ratios[name].push_back(t / base);
+        if (frame < options_.frames / 3) continue;
+        times[name].push_back(t.wall), ratios[name].push_back(t.wall / base), cpu[name].push_back(t.cpu);
       }
     }
     local_ = bench::median(locals);
@@ -64,12 +67,14 @@ class Measurement {
     converge();
     for (const auto& [name, image] : images) {
       figure(name + "_ms", 1e3 * bench::median(times[name]), "ms");
+      figure(name + "_cpu_ms", 1e3 * bench::median(cpu[name]), "ms of all threads");
       figure(name + "_ratio", bench::median(ratios[name]), "of a local frame");
       figure(name + "_psnr", errorOf(image), "dB");
       dump(name, image);
     }
     const double views = static_cast<double>(images.size());
-    figure("history_bytes_per_pixel", static_cast<double>(stage_.historyBytes()) / views / kPixels, "bytes");
+    figure("history_bytes_per_pixel", static_cast<double>(stage_.historyBytes()) / views / stage_.pixels(),
+           "bytes");
     dump("local", local), dump("reference", converged_);
   }
 
@@ -83,7 +88,7 @@ class Measurement {
       way.wide = true, way.pass = pass;
       way.more = {"ao.samples=" + std::to_string(kPassRays), "shadows.samples=" + std::to_string(kPassRays)};
       Image wide, image;
-      seconds += stage_.trace(options_.frames - 1, way, wide);
+      seconds += stage_.trace(last(), way, wide).wall;
       seconds += secondsOf([&] { refinement.add(wide), refinement.show(wide, false, image); });
       error = errorOf(image);
     }
@@ -99,8 +104,7 @@ class Measurement {
     const std::string count = std::to_string(kRays);
     frame::Refinement refinement;
     frame::Refiner refiner(
-        stage_.at(options_.frames - 1, {"ao.samples=" + count, "shadows.samples=" + count, "denoise=filter"}),
-        refinement);
+        stage_.at(last(), {"ao.samples=" + count, "shadows.samples=" + count, "denoise=filter"}), refinement);
     const frame::Trace trace = [&](const scene::Snapshot& s, Image& image, scene::TraceCost&, std::string&) {
       return stage_.trace(s, image) >= 0;
     };
@@ -119,7 +123,6 @@ class Measurement {
   }
 
  private:
-  static constexpr double kPixels = double{bench::kImageSize} * bench::kImageSize;
   static constexpr int kPassRays = 8;
   static constexpr double kGoal = 40;  // dB, at rest
   static inline const Way kLocal{Mode::full, {}, 0, false, {"ao=off", "shadows=off"}};
@@ -140,8 +143,8 @@ class Measurement {
     none.rays.perPixel = 0;
     Image local, unused;
     for (int round = 0; round < 3 * options_.rounds; ++round) {
-      const double base = stage_.trace(options_.frames - 1, kLocal, local);
-      rest.push_back((stage_.trace(options_.frames - 1, none, unused) - base) / base);
+      const double base = stage_.trace(last(), kLocal, local).wall;
+      rest.push_back((stage_.trace(last(), none, unused).wall - base) / base);
     }
     return bench::median(rest);
   }
@@ -151,9 +154,12 @@ class Measurement {
     Way way = kFull;
     const std::string count = std::to_string(options_.reference);
     way.more = {"ao.samples=" + count, "shadows.samples=" + count}, way.allThreads = true;
-    stage_.trace(options_.frames - 1, way, converged_);
+    stage_.trace(last(), way, converged_);
     hits_ = bench::hitsOf(converged_);
   }
+
+  /// Degrees of the last frame.
+  int last() const { return (options_.frames - 1) * options_.step; }
 
   double errorOf(const Image& image) const { return bench::psnr(image.color, converged_.color, hits_); }
 
@@ -182,7 +188,31 @@ void print(const bench::ComparedRays& rays, const char* kind) {
   std::printf("%-32s %10.3f of the bare loop\n", (name + "_ratio").c_str(), rays.ours / rays.bare);
 }
 
+/// The settings of a shipped preset. Throws std::runtime_error where there is none of that name.
+std::vector<std::string> settingsOf(const std::string& preset) {
+  const std::vector<Preset> all = allPresets({});
+  const Preset* found = findPreset(preset, all);
+  if (!found) throw std::runtime_error("preset: " + whyNoPreset(preset, all));
+  std::vector<std::string> settings;
+  for (const PresetValue& value : found->values) settings.push_back(value.name + "=" + value.value);
+  return settings;
+}
+
+/// Throws std::runtime_error where `size` is not WIDTHxHEIGHT.
+void readSize(const std::string& size, bench::StageOptions& stage) {
+  int end = 0;
+  if (std::sscanf(size.c_str(), "%dx%d%n", &stage.width, &stage.height, &end) != 2 ||
+      static_cast<size_t>(end) != size.size() || std::min(stage.width, stage.height) < 16 ||
+      std::max(stage.width, stage.height) > 16384)
+    throw std::runtime_error("--size: not WIDTHxHEIGHT: " + size);
+}
+
 void run(Options options) {
+  if (!options.size.empty()) readSize(options.size, options.stage);
+  if (!options.preset.empty()) {
+    const std::vector<std::string> look = settingsOf(options.preset);
+    options.settings.insert(options.settings.begin(), look.begin(), look.end());
+  }
   if (options.quick)
     options.frames = std::min(options.frames, 12), options.rounds = 3,
     options.reference = std::min(options.reference, 256);
@@ -199,7 +229,8 @@ void run(Options options) {
   };
   measure(options.settings, "");
   if (!options.shadows.empty()) measure(shadowed, "shadow_");
-  if (options.noRays || options.stage.lines > 0) return;
+  // The bare loops know one size of images.
+  if (options.noRays || options.stage.lines > 0 || options.stage.width > 0) return;
   stage.use(shadowed);
   print(bench::compareRays(stage, bench::RayUse::occlusion, options.stage.threads, options.rounds),
         "occlusion");
@@ -217,12 +248,18 @@ int main(int argc, char** argv) {
   app.add_option("--lines", options.stage.lines, "so many lines as tubes, instead of triangles")
       ->check(CLI::Range(1, 1000000));
   app.add_option("--threads", options.stage.threads, "0: one a core")->check(CLI::Range(0, 1024));
-  app.add_option("--frames", options.frames, "frames of the orbit, a degree each")->check(CLI::Range(3, 360));
+  app.add_option("--frames", options.frames,
+                 "frames of the orbit, a degree each unless --step says otherwise")
+      ->check(CLI::Range(3, 360));
+  app.add_option("--step", options.step, "degrees of the orbit from frame to frame")
+      ->check(CLI::Range(0, 90));
   app.add_option("--reference", options.reference, "samples of the image to compare with")
       ->check(CLI::Range(1, 4096));
   app.add_option("--set", options.settings, "NAME=VALUE: a setting (default: ao=on)");
   app.add_option("--shadow", options.shadows,
                  "NAME=VALUE: a setting of a second measurement beside the first");
+  app.add_option("--preset", options.preset, "settings of a look, before those of --set");
+  app.add_option("--size", options.size, "WIDTHxHEIGHT of the image (default: 1024x1024)");
   app.add_option("--only", options.only, "one way alone: first, moving_full or moving_quarter");
   app.add_flag("--quick", options.quick, "fewer frames, a noisier reference");
   app.add_flag("--no-rays", options.noRays, "leave the bare loops out");

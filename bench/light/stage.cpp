@@ -9,6 +9,7 @@
 #include "render/tiles/float_guard.h"
 
 #include <chrono>
+#include <ctime>
 
 namespace gluray::bench {
 namespace {
@@ -18,6 +19,13 @@ TriangleMesh meshOf(const StageOptions& options) {
   const Volume volume = wavelet();
   const auto [low, high] = volume.range();
   return isosurfaces(volume, evenIsovalues(low, high, waveletSurfaces(options.millionTriangles)));
+}
+
+/// Processor time of all threads of this process.
+double cpuSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
 void look(scene::Snapshot& s, int degree) {
@@ -32,9 +40,14 @@ Stage::Stage(const StageOptions& options)
       arena_(options.threads),
       snapshot_(waveletSnapshot(mesh_)),
       threads_(options.threads) {
+  if (options.width > 0 && options.height > 0) {
+    snapshot_.camera.viewport = {0, 0, options.width, options.height};
+    snapshot_.region = {0, 0, options.width, options.height};
+    snapshot_.camera.clipFromEye[0][0] *= double(options.height) / options.width;
+  }
   if (options.lines > 0) {
     snapshot_.instances[0].mesh = fieldLines(options.lines);
-    snapshot_.instances[0].impostors.size = glm::vec2(2 * 2.0f / kImageSize);
+    snapshot_.instances[0].impostors.size = 4.0f / glm::vec2(snapshot_.region.width, snapshot_.region.height);
   }
   use({});
   look(snapshot_, 0);
@@ -65,7 +78,7 @@ double Stage::trace(const scene::Snapshot& s, Image& image) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double Stage::trace(int degree, const Way& way, Image& image) {
+FrameTime Stage::trace(int degree, const Way& way, Image& image) {
   scene::Snapshot s = at(degree, way.more);
   s.view = way.view, s.wideColors = way.wide;
   s.lightSampling.mode = way.mode, s.lightSampling.pass = way.pass;
@@ -74,8 +87,10 @@ double Stage::trace(int degree, const Way& way, Image& image) {
   const render::FloatGuard guard;
   world_.update(s, arena);
   const auto start = std::chrono::steady_clock::now();
+  const double before = cpuSeconds();
   render::traceImage(s, world_, arena, image, {way.fresh ? &none : &histories_, way.rays});
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+          cpuSeconds() - before};
 }
 
 std::vector<uint8_t> hitsOf(const Image& image) {

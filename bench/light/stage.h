@@ -15,6 +15,7 @@ struct StageOptions {
   double millionTriangles = 1;
   int lines = 0;  // so many field lines of a star as tubes of two pixels, in place of triangles
   int threads = 0;
+  int width = 0, height = 0;  // pixels; 0: kImageSize
 };
 
 /// How a frame is traced.
@@ -29,14 +30,19 @@ struct Way {
   bool allThreads = false;        // of the machine
 };
 
+/// Seconds of a frame: by the clock, and of processor time of all threads.
+struct FrameTime {
+  double wall = 0, cpu = 0;
+};
+
 class Stage {
  public:
   /// Throws std::runtime_error where Embree fails.
   explicit Stage(const StageOptions&);
   /// Sets NAME=VALUE each; forgets earlier frames. Throws std::runtime_error where a setting is unknown.
   void use(const std::vector<std::string>& settings);
-  /// Seconds that frame `degree` took, without building structures.
-  double trace(int degree, const Way&, Image&);
+  /// What frame `degree` took, without building structures.
+  FrameTime trace(int degree, const Way&, Image&);
   /// What frame `degree` shows, with settings beside the stage's.
   scene::Snapshot at(int degree, const std::vector<std::string>& more) const;
   /// Seconds that an image took that does not move.
@@ -45,6 +51,8 @@ class Stage {
   const Settings& settings() const { return snapshot_.settings; }
   size_t primitives() const { return snapshot_.instances[0].mesh->triangleCount; }
   size_t historyBytes() const { return histories_.bytes(); }
+  /// Of the image.
+  double pixels() const { return double(snapshot_.region.width) * snapshot_.region.height; }
 
  private:
   TriangleMesh mesh_;

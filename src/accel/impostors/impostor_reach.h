@@ -25,6 +25,9 @@ ImpostorReach reachInPixels(const scene::Instance&, const scene::Camera&);
 /// Extent of splats, in proportion to their radius.
 ImpostorReach reachOfSplats(const scene::Instance&, const scene::Camera&);
 
+/// Upper bound of the largest stretch of a matrix; exact for rotations and uniform scales.
+double largestStretch(const glm::dmat3&);
+
 /// Rounds up to a power of 2^(1/64), so that small rounding differences seldom change the result.
 float roundedUp(double length);
 

@@ -55,7 +55,8 @@ glm::dvec3 perUnit(const glm::dmat4& lightingFromObject) {
   return {glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2])};
 }
 
-/// Upper bound of the largest stretch of a matrix.
+}  // namespace
+
 double largestStretch(const glm::dmat3& m) {
   const glm::dvec3 squares(glm::dot(m[0], m[0]), glm::dot(m[1], m[1]), glm::dot(m[2], m[2]));
   const double largest = std::max({squares.x, squares.y, squares.z});
@@ -64,8 +65,6 @@ double largestStretch(const glm::dmat3& m) {
   // Gershgorin's theorem for M^T M.
   return std::sqrt(largest + 2 * across);
 }
-
-}  // namespace
 
 ImpostorReach reachOfSplats(const scene::Instance& instance, const scene::Camera& camera) {
   const scene::Impostors& f = instance.impostors;

@@ -78,6 +78,21 @@ PlacedImpostors::PlacedImpostors(const scene::Instance& instance, const scene::C
   const glm::dmat4 objectRows = glm::transpose(clipFromObject);
   objectW = glm::vec4(objectRows[3]), objectNear = glm::vec4(objectRows[2] + objectRows[3]);
   viewer = glm::vec4(-lightingFromClip[2]);
+  boundRadius();
+}
+
+void PlacedImpostors::boundRadius() {
+  constexpr float kRounding = 4e-6f;
+  const glm::dmat3 linear{glm::mat3(lightingFromObject)};
+  const auto stretch = static_cast<float>(largestStretch(glm::inverse(linear)));
+  float largest = 0, offset = 0;
+  for (int r = 0; r < 3; ++r) {
+    offset += std::abs(lightingFromObject[3][r]);
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(lightingFromObject[c][r]));
+  }
+  objectError = kRounding * stretch * offset, objectRounding = kRounding * (1 + 3 * stretch * largest);
+  objectRadius = look.radius > 0 ? glm::vec4(0, 0, 0, look.radius * stretch)
+                                 : objectW * (static_cast<float>(halfWidthPerW) * stretch);
 }
 
 bool Ball::make(const PlacedImpostors& placed, uint32_t primitive, Ball& ball) {

@@ -40,9 +40,16 @@ struct PlacedImpostors {
   glm::vec4 objectW{0}, objectNear{0};  // of object space: clip-space w, and the distance from the near plane
   glm::vec4 viewer{0};                  // homogeneous, lighting space
   glm::vec4 lightingNear{0};  // of hemispheres: the near plane in lighting space, positive where it shows
+  // Of balls and capsules: bounds in object space. Radius: dot(objectRadius, (position, 1)), what rounding
+  // adds to it, and for each unit of coordinates.
+  glm::vec4 objectRadius{0};
+  float objectError = 0, objectRounding = 0;
   std::vector<WindowVertex> window;  // per vertex
   PlacedImpostors() = default;
   PlacedImpostors(const scene::Instance&, const scene::Camera&);
+
+ private:
+  void boundRadius();
 };
 
 /// The ball of a sphere, in lighting space.

@@ -2,6 +2,7 @@
 
 #include "accel/device/embree.h"
 #include "accel/device/error.h"
+#include "accel/impostors/capsule_bundles.h"
 #include "accel/queries/impostor_query.h"
 #include "base/background_job.h"
 #include "base/timeline.h"
@@ -121,7 +122,7 @@ Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuali
   rtcSetSceneBuildQuality(scene(), rtcQuality);
   rtcSetSceneFlags(scene(), toRefit ? sceneFlags(quality) | RTC_SCENE_FLAG_DYNAMIC : sceneFlags(quality));
   RTCGeometry geometry = nullptr;
-  if (mesh.shape != scene::Shape::triangles) geometry = impostors(of);
+  if (mesh.shape != scene::Shape::triangles) geometry = impostors(of, quality);
   if (!geometry && (quality == BvhQuality::least || (quality == BvhQuality::fast && !toRefit))) {
     const auto aim = quality == BvhQuality::least ? TriangleBlocks::Aim::memory : TriangleBlocks::Aim::speed;
     geometry = bundles(mesh);
@@ -152,25 +153,6 @@ RTCGeometryTy* Blas::triangles(IotaIndices& iota, const scene::Mesh& mesh) {
   return geometry;
 }
 
-RTCGeometryTy* Blas::impostors(const Geometry& of) {
-  const scene::Mesh& mesh = *of.mesh;
-  impostors_.shape = mesh.shape;
-  impostors_.triangleCount = mesh.triangleCount, impostors_.vertexCount = mesh.vertexCount;
-  impostors_.positions = mesh.positions, impostors_.indices = mesh.indices;
-  impostors_.radii = mesh.radii, impostors_.axes = mesh.axes, impostors_.radius = mesh.radius;
-  reach_ = of.reach;
-  bounded_ = {&impostors_, &reach_};
-  for (const scene::Attribute* a : {&mesh.radii, &mesh.axes})
-    if (*a) pinnedBytes_ += static_cast<size_t>(mesh.vertexCount) * a->stride;
-  RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, mesh.triangleCount);
-  rtcSetGeometryUserData(geometry, &bounded_);
-  rtcSetGeometryBoundsFunction(geometry, impostorBounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, intersectImpostors);
-  rtcSetGeometryOccludedFunction(geometry, occludeImpostors);
-  return geometry;
-}
-
 namespace {
 
 /// A geometry of `count` primitives that are known by `leaves`.
@@ -186,6 +168,27 @@ RTCGeometry userGeometry(const Device& device, uint32_t count, void* leaves, RTC
 }
 
 }  // namespace
+
+RTCGeometryTy* Blas::impostors(const Geometry& of, BvhQuality quality) {
+  const scene::Mesh& mesh = *of.mesh;
+  impostors_.shape = mesh.shape;
+  impostors_.triangleCount = mesh.triangleCount, impostors_.vertexCount = mesh.vertexCount;
+  impostors_.positions = mesh.positions, impostors_.indices = mesh.indices;
+  impostors_.radii = mesh.radii, impostors_.axes = mesh.axes, impostors_.radius = mesh.radius;
+  reach_ = of.reach;
+  bounded_ = {&impostors_, &reach_};
+  for (const scene::Attribute* a : {&mesh.radii, &mesh.axes})
+    if (*a) pinnedBytes_ += static_cast<size_t>(mesh.vertexCount) * a->stride;
+  const bool small = quality == BvhQuality::compact || quality == BvhQuality::least;
+  if (small || !CapsuleBundles::pay(mesh))
+    return userGeometry(device_, mesh.triangleCount, &bounded_, impostorBounds, intersectImpostors,
+                        occludeImpostors);
+  auto bundles = std::make_shared<CapsuleBundles>(device_, impostors_, reach_, quality == BvhQuality::fast);
+  leafBytes_ = HeldBytes(bundles->bytes());
+  userData_ = bundles;
+  return userGeometry(device_, bundles->count(), bundles.get(), capsuleBundleBounds, intersectCapsuleBundles,
+                      occludeCapsuleBundles);
+}
 
 RTCGeometryTy* Blas::blocks(const scene::Mesh& mesh, TriangleBlocks::Aim aim) {
   auto blocks = std::make_unique<TriangleBlocks>(mesh, aim);

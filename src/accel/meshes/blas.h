@@ -99,7 +99,7 @@ class Blas {
   Blas(const Device&, IotaIndices&, const Geometry&, BvhQuality, bool toRefit);
   void setPositions(RTCGeometryTy*, const scene::Mesh&);
   RTCGeometryTy* triangles(IotaIndices&, const scene::Mesh&);
-  RTCGeometryTy* impostors(const Geometry&);
+  RTCGeometryTy* impostors(const Geometry&, BvhQuality);
   /// Null unless TriangleBlocks::pay().
   RTCGeometryTy* blocks(const scene::Mesh&, TriangleBlocks::Aim);
   /// Null unless TriangleBundles::pay().
@@ -119,7 +119,7 @@ class Blas {
   uint32_t triangleCount_ = 0, vertexCount_ = 0;
   const void* indexData_ = nullptr;                  // of triangles; null: triangle soup
   bool isSpecial_ = false;                           // impostors or user primitives
-  std::shared_ptr<void> userData_;                   // of user primitives
+  std::shared_ptr<void> userData_;                   // of user primitives; bundles of capsules
   std::unique_ptr<Neighbours> neighbours_;           // null: it cannot be refitted
   std::unique_ptr<RTCSceneTy, ReleaseScene> scene_;  // the last member: it reads the others
 };

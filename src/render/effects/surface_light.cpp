@@ -69,15 +69,8 @@ bool SurfaceLight::replaces(uint32_t instance, uint32_t lanes, const Visibility&
 
 std::vector<float> SurfaceLight::meaning() const {
   std::vector<float> numbers;
+  // As shares of the scene, so that its size does not matter.
   const auto keep = [&](const glm::vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
-  const glm::mat3 linear(metric_.worldFromEye);
-  for (const scene::LightSource& light : lights_.lights) {
-    using Kind = scene::LightSource::Kind;
-    // As shares of the scene, so that its size does not matter.
-    if (light.kind != Kind::distant)
-      keep(glm::vec3(metric_.worldFromEye * glm::vec4(light.position, 1)) / metric_.diagonal);
-    keep(glm::normalize(linear * light.direction));
-  }
   for (const PlacedLattice& medium : frame_.media) {
     const glm::mat4 worldFromLattice = glm::inverse(medium.latticeFromWorld);
     for (const glm::vec3& corner : {glm::vec3(0), glm::vec3(medium.extinction->size)})
@@ -85,6 +78,17 @@ std::vector<float> SurfaceLight::meaning() const {
     numbers.push_back(medium.extinction->mean);
   }
   return numbers;
+}
+
+std::vector<glm::vec3> SurfaceLight::lightPlaces() const {
+  std::vector<glm::vec3> places;
+  const glm::mat3 linear(metric_.worldFromEye);
+  for (const scene::LightSource& light : lights_.lights) {
+    if (light.kind != scene::LightSource::Kind::distant)
+      places.push_back(glm::vec3(metric_.worldFromEye * glm::vec4(light.position, 1)) / metric_.diagonal);
+    places.push_back(glm::normalize(linear * light.direction));
+  }
+  return places;
 }
 
 std::optional<float> SurfaceLight::occlusionAlone() const noexcept {

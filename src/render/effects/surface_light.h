@@ -25,6 +25,7 @@ class SurfaceLight final : public VisibilityIntegrator {
   bool replaces(uint32_t instance, uint32_t lanes, const Visibility&) const noexcept override;
   void apply(const ColoredHits&, const Visibility&, ColorRows&) const noexcept override;
   std::vector<float> meaning() const override;
+  std::vector<glm::vec3> lightPlaces() const override;
   std::optional<float> occlusionAlone() const noexcept override;
 
  private:

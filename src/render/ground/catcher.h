@@ -42,6 +42,7 @@ class AllCaught final : public VisibilityIntegrator {
   bool replaces(uint32_t, uint32_t, const Visibility&) const noexcept override { return false; }
   void apply(const ColoredHits&, const Visibility&, ColorRows&) const noexcept override;
   std::vector<float> meaning() const override { return light_->meaning(); }
+  std::vector<glm::vec3> lightPlaces() const override { return light_->lightPlaces(); }
   std::optional<float> occlusionAlone() const noexcept override { return light_->occlusionAlone(); }
 
  private:

@@ -45,9 +45,11 @@ class VisibilityIntegrator : public Integrator {
   /// The strength of occlusion, if apply() only multiplies the colours of each surface whose look is
   /// constant by 1 - strength * (1 - Visibility::occlusion).
   virtual std::optional<float> occlusionAlone() const noexcept { return {}; }
-  /// World-space positions and directions of lights, and what tells volumes apart. Earlier visibility is
-  /// reusable while these numbers stay equal, up to rounding.
+  /// What tells volumes apart. Earlier visibility is reusable while these numbers stay equal, up to rounding.
   virtual std::vector<float> meaning() const { return {}; }
+  /// The places of the shadow lights, world space: directions of unit length, and positions as shares of the
+  /// scene's diagonal. Earlier occlusion does not depend on them; earlier shadows do.
+  virtual std::vector<glm::vec3> lightPlaces() const { return {}; }
   void light(const ColoredHits& hits, ColorRows& rows) const noexcept final {
     if (hits.visibility) return apply(hits, *hits.visibility, rows);
     AskedPoints points;

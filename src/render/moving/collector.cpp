@@ -16,7 +16,7 @@ namespace HWY_NAMESPACE {
 /// Lanes that trace rays in this frame.
 HWY_ATTR inline uint32_t tracedLanes(const MovingFrame& moving, uint32_t lanes, const Known& known) {
   if (moving.rays.perPixel == 0) return 0;
-  if (!moving.rays.quarter) return lanes;
+  if (!moving.rays.quarter || moving.mostLightSamples == 0) return lanes;
   constexpr uint32_t kOneOfEachQuad = 0x1111;
   constexpr uint32_t kTurns[] = {0, 3, 1, 2};
   uint32_t traced = kOneOfEachQuad << kTurns[moving.index & 3];
@@ -71,8 +71,10 @@ HWY_ATTR void traceWaiting(const Collector& c, WaitingPoints& waiting) {
   alignas(64) uint32_t first[kLanes], second[kLanes] = {};
   const Float added = splat(static_cast<float>(moving.rays.perPixel));
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
-    const Float before = load(waiting.samples + i), sum = hn::Add(before, added), share = hn::Div(added, sum);
+    const Float before = load(waiting.samples + i), sum = hn::Add(before, added);
     for (int f = 0; f < buffer.channels; ++f) {
+      const Float kept = hn::Min(before, splat(moving.mostSamplesOf(f)));
+      const Float share = hn::Div(added, hn::Add(kept, added));
       const Float old = load(waiting.visibility[f] + i), now = load(moving.channels.rowOf(fresh, f) + i);
       store(hn::MulAdd(share, hn::Sub(now, old), old), waiting.visibility[f] + i);
     }
@@ -117,7 +119,9 @@ HWY_ATTR void collect(const Collector& c, const ColoredHits& hits) {
   makePoints(c.metric, c.frame, hits, points);
   Known known;
   if (c.moving.earlier && c.moving.reprojection.stayed(hits.instance)) {
-    lookUp(c.moving, points.eye, points.shading, known);
+    NarrowLanes narrow;
+    findNarrow(c.frame, c.moving.space, hits, points, narrow);
+    lookUp(c.moving, points.eye, points.shading, narrow, known);
   } else {
     for (float& samples : known.samples) samples = 0;
     for (int f = 0; f < c.moving.channels.count(); ++f)

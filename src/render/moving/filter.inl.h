@@ -111,6 +111,11 @@ HWY_ATTR inline Float sameSurface(const Center& c, const UnpackedTile& tile, int
   return hn::IfThenElseZero(same, splat(1));
 }
 
+/// Samples of pixels, of which at most `most` count.
+HWY_INLINE Float samplesAt(const UnpackedTile& tile, int row, int x, float most) {
+  return hn::Min(loadAt(tile.samples[row] + x), splat(most));
+}
+
 /// Sums over the pixels of rows.
 struct Sums {
   alignas(64) float weight[kUnpackedRows][kTileSize], value[kUnpackedRows][kTileSize],
@@ -121,6 +126,7 @@ struct Sides {
   // Bit t: tap t counts; the middle one always does, and has none.
   alignas(64) uint8_t rows[kUnpackedRows][kTileSize], columns[kTileSize][kTileSize];
   int least = 0;  // of the four nearest: so many must count where pixels farther away do
+  float most = VisibilityBuffer::kMaxSamples;  // samples of a pixel of the channel that knows least
 };
 
 /// The bit of a tap, 0 .. 2 * kReach.
@@ -180,7 +186,7 @@ HWY_ATTR inline void findSides(const PixelSpace& space, const UnpackedTile& tile
       const Center c = centerAt(space, tile, at.x0, at.y0, row, x + kReach);
       Ints rows = hn::Zero(d), columns = rows;
       const bool inside = row >= kReach && row < kUnpackedRows - kReach;
-      const TapRange taps(isWide(loadAt(tile.samples[row] + x + kReach)));
+      const TapRange taps(isWide(samplesAt(tile, row, x + kReach, sides.most)));
       for (int tap = taps.first; tap <= taps.last; ++tap) {
         if (tap == kReach) continue;
         const int step = tap - kReach;
@@ -199,17 +205,17 @@ HWY_ATTR inline void findSides(const PixelSpace& space, const UnpackedTile& tile
 }
 
 HWY_ATTR inline void sumRows(const UnpackedTile& tile, const UnpackedRow* visibility, const Sides& sides,
-                             Sums& out) {
+                             float most, Sums& out) {
   const FloatTag d;
   for (int row = 0; row < kUnpackedRows; ++row) {
     for (int x = 0; x < kTileSize; x += lanesOfVector()) {
       const Ints bits = loadBits(sides.rows[row] + x);
-      const FloatMask wide = isWide(loadAt(tile.samples[row] + x + kReach), bits, sides.least);
+      const FloatMask wide = isWide(samplesAt(tile, row, x + kReach, most), bits, sides.least);
       const TapRange taps(wide);
       Float weight = hn::Zero(d), value = weight, square = weight;
       for (int tap = taps.first; tap <= taps.last; ++tap) {
         const Float f = loadAt(visibility[row] + x + tap);
-        const Float w = hn::Mul(weightOf(bits, wide, tap), loadAt(tile.samples[row] + x + tap));
+        const Float w = hn::Mul(weightOf(bits, wide, tap), samplesAt(tile, row, x + tap, most));
         weight = hn::Add(weight, w), value = hn::MulAdd(w, f, value),
         square = hn::MulAdd(hn::Mul(w, f), f, square);
       }
@@ -230,10 +236,11 @@ HWY_INLINE Float balanced(Float own, Float samples, Float mean, Float meanSquare
 }
 
 HWY_ATTR inline void sumColumns(const UnpackedTile& tile, const UnpackedRow* visibility, const Sides& sides,
-                                const Sums& sums, int row, Float* out, int x) {
+                                float most, const Sums& sums, int row, Float* out, int x) {
   const FloatTag d;
   const Ints bits = loadBits(sides.columns[row] + x);
-  const FloatMask wide = isWide(loadAt(tile.samples[row + kReach] + x + kReach), bits, sides.least);
+  const Float samples = samplesAt(tile, row + kReach, x + kReach, most);
+  const FloatMask wide = isWide(samples, bits, sides.least);
   const TapRange taps(wide);
   Float weight = hn::Zero(d), value = weight, square = weight;
   for (int tap = taps.first; tap <= taps.last; ++tap) {
@@ -244,26 +251,26 @@ HWY_ATTR inline void sumColumns(const UnpackedTile& tile, const UnpackedRow* vis
   }
   const Float inverse = hn::Div(splat(1), hn::Max(weight, splat(1e-3f)));
   const Float own = loadAt(visibility[row + kReach] + x + kReach);
-  *out = balanced(own, loadAt(tile.samples[row + kReach] + x + kReach), hn::Mul(value, inverse),
-                  hn::Mul(square, inverse));
+  *out = balanced(own, samples, hn::Mul(value, inverse), hn::Mul(square, inverse));
 }
 
 HWY_ATTR inline void filterChannel(const UnpackedTile& tile, const UnpackedRow* visibility,
-                                   const Sides& sides, Sums& sums, const Channels& channels, int number,
+                                   const Sides& sides, Sums& sums, const MovingFrame& moving, int number,
                                    TileVisibility& out) {
-  sumRows(tile, visibility, sides, sums);
+  const float most = moving.mostKnownOf(number);
+  sumRows(tile, visibility, sides, most, sums);
   alignas(64) float line[kTileSize];
   for (int row = 0; row < kTileSize; ++row) {
     for (int x = 0; x < kTileSize; x += lanesOfVector()) {
       Float filtered;
-      sumColumns(tile, visibility, sides, sums, row, &filtered, x);
+      sumColumns(tile, visibility, sides, most, sums, row, &filtered, x);
       store(filtered, line + x);
     }
     // Lanes are in Z order of 2 x 2 quads.
     const int lane = (row & 1) * 2 + (row & 2) * 4;
     for (int x = 0; x < kTileSize; x += 2)
-      std::memcpy(channels.rowOf(out.packets[row / 4 * TileVisibility::kColumns + x / 4], number) + lane +
-                      (x & 2) * 2,
+      std::memcpy(moving.channels.rowOf(out.packets[row / 4 * TileVisibility::kColumns + x / 4], number) +
+                      lane + (x & 2) * 2,
                   line + x, 8);
   }
 }
@@ -277,11 +284,12 @@ HWY_ATTR void filterTile(const MovingFrame& moving, const Tile& at, TileVisibili
   constexpr int kMin = 3;
   Sides sides;
   sides.least = moving.earlier ? kMin : 0;
+  for (int f = 0; f < moving.channels.count(); ++f) sides.most = std::min(sides.most, moving.mostKnownOf(f));
   findSides(moving.space, tile, at, sides);
   Sums sums;
   for (int f = 0; f < moving.channels.count(); ++f) {
     if (f >= 2) unpackMore(*moving.visibility, at, f, tile);
-    filterChannel(tile, tile.visibility[f == 1], sides, sums, moving.channels, f, out);
+    filterChannel(tile, tile.visibility[f == 1], sides, sums, moving, f, out);
   }
   for (Visibility& packet : out.packets) moving.channels.spread(packet);
 }

@@ -8,6 +8,7 @@
 #endif
 
 #include "render/moving/moving_frame.h"
+#include "render/moving/narrow_lanes.h"
 #include "render/moving/visibility_pixels.inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,8 +21,9 @@ struct Known {
   Visibility visibility;
 };
 
-// The same surface: its point lies on the plane of the one sought, its normal is about the same.
-constexpr float kOnPlane = 0.7f;      // pixels
+// The same surface: its point lies on the plane of the one sought, its normal is about the same. Or, of
+// narrow round surfaces: its normal leads from its point to the axis of the one sought.
+constexpr float kOnPlane = 0.7f;      // pixels; also from the axis
 constexpr float kSameNormal = 0.85f;  // cosine
 
 /// The four pixels of the earlier buffer about a position, and the plane on which they must lie.
@@ -31,9 +33,34 @@ struct Taps {
   Float along;  // dot(normal, point)
 };
 
-/// Adds one of the four to the sums.
-HWY_ATTR inline void addTap(const MovingFrame& moving, const Taps& taps, int dx, int dy, Float& weights,
-                            Float& samples, Float* sums) {
+/// Axes of narrow round surfaces, in the earlier eye space.
+struct Axes {
+  Float3 center, axis;
+  Float radius;  // 0: none
+};
+
+/// The axes of the lanes from `i` on.
+HWY_ATTR inline Axes axesAt(const Reprojection& r, const NarrowLanes& narrow, int i) {
+  const glm::mat3 linear(r.earlierFromEye);
+  const Float3 axis = load3(narrow.axis, i), turned = transform(linear, axis);
+  const Float length = hn::Sqrt(dot(turned, turned));
+  const Float inverse = hn::Div(splat(1), hn::Max(length, splat(1e-30f)));
+  // Motions of the camera are the same in all directions: by an axis or, of balls, any direction.
+  const float scale = std::sqrt(glm::dot(linear[0], linear[0]));
+  return {transformPoint(r.earlierFromEye, load3(narrow.center, i)), scaled(turned, inverse),
+          hn::Mul(load(narrow.radius + i), splat(scale))};
+}
+
+/// Whether the surface of an earlier point with that normal has the axis, up to `reach`.
+HWY_INLINE auto isAbout(const Axes& axes, const Float3& point, const Float3& normal, Float reach) {
+  const Float3 from = sub(sub(point, scaled(normal, axes.radius)), axes.center);
+  const Float along = dot(from, axes.axis), square = hn::NegMulAdd(along, along, dot(from, from));
+  return hn::And(hn::Gt(axes.radius, hn::Zero(FloatTag())), hn::Le(square, hn::Mul(reach, reach)));
+}
+
+/// Adds one of the four to the sums. `axes`: null: no surface is narrow.
+HWY_ATTR inline void addTap(const MovingFrame& moving, const Taps& taps, const Axes* axes, int dx, int dy,
+                            Float& weights, Float& samples, Float* sums) {
   const FloatTag d;
   const VisibilityBuffer& buffer = *moving.earlier;
   const PixelSpace& space = moving.earlierSpace;
@@ -53,15 +80,16 @@ HWY_ATTR inline void addTap(const MovingFrame& moving, const Taps& taps, int dx,
       VisibilityPixels::unpacked(hn::GatherIndex(WordTag(), buffer.words.data(), at),
                                  hn::GatherIndex(WordTag(), buffer.words.data() + 1, at));
   const auto at3 = [&](const glm::vec3& base, const glm::vec3& perX, const glm::vec3& perY) HWY_ATTR {
-    return dot(taps.normal, add(splat(base), add(scaled(splat(perX), x), scaled(splat(perY), y))));
+    return add(splat(base), add(scaled(splat(perX), x), scaled(splat(perY), y)));
   };
-  const Float off = hn::Sub(
-      hn::MulAdd(p.depth, at3(space.ray, space.rayX, space.rayY), at3(space.base, space.baseX, space.baseY)),
-      taps.along);
+  const Float3 base = at3(space.base, space.baseX, space.baseY), ray = at3(space.ray, space.rayX, space.rayY);
+  const Float off = hn::Sub(hn::MulAdd(p.depth, dot(taps.normal, ray), dot(taps.normal, base)), taps.along);
   const Float width = hn::MulAdd(p.depth, splat(space.perDepth), splat(space.pixel));
   there = hn::And(there, hn::Gt(p.samples, hn::Zero(d)));
-  there = hn::And(there, hn::Le(hn::Abs(off), hn::Mul(width, splat(kOnPlane))));
-  there = hn::And(there, hn::Gt(dot(p.normal, taps.normal), splat(kSameNormal)));
+  const Float reach = hn::Mul(width, splat(kOnPlane));
+  auto same = hn::And(hn::Le(hn::Abs(off), reach), hn::Gt(dot(p.normal, taps.normal), splat(kSameNormal)));
+  if (axes) same = hn::Or(same, isAbout(*axes, add(base, scaled(ray, p.depth)), p.normal, reach));
+  there = hn::And(there, same);
   const Float weight = hn::IfThenElseZero(there, bilinear);
   weights = hn::Add(weights, weight);
   samples = hn::MulAdd(weight, p.samples, samples);
@@ -79,7 +107,7 @@ HWY_ATTR inline void addTap(const MovingFrame& moving, const Taps& taps, int dx,
 
 /// Looks up points and normals in eye space, of something that has not moved since.
 HWY_ATTR inline void lookUp(const MovingFrame& moving, const Row (&point)[3], const Row (&normal)[3],
-                            Known& out) {
+                            const NarrowLanes& narrow, Known& out) {
   const FloatTag d;
   const Reprojection& r = moving.reprojection;
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
@@ -102,10 +130,13 @@ HWY_ATTR inline void lookUp(const MovingFrame& moving, const Row (&point)[3], co
     taps.right = hn::Sub(x, taps.column), taps.upper = hn::Sub(y, taps.row);
     taps.normal = unit(transform(r.earlierFromEyeNormal, load3(normal, i)));
     taps.along = dot(taps.normal, transformPoint(r.earlierFromEye, now));
+    Axes axes;
+    if (narrow.any) axes = axesAt(r, narrow, i);
     Float weights = hn::Zero(d), samples = weights;
     Float sums[std::max(Channels::kMax, 2)];
     for (Float& sum : sums) sum = weights;
-    for (int tap = 0; tap < 4; ++tap) addTap(moving, taps, tap & 1, tap >> 1, weights, samples, sums);
+    for (int tap = 0; tap < 4; ++tap)
+      addTap(moving, taps, narrow.any ? &axes : nullptr, tap & 1, tap >> 1, weights, samples, sums);
     const auto known = hn::Gt(weights, splat(0.05f));
     const Float inverse = hn::IfThenElseZero(known, hn::Div(splat(1), hn::Max(weights, splat(0.05f))));
     store(hn::Min(hn::Mul(samples, inverse), splat(moving.mostSamples)), out.samples + i);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gluray::render {
 namespace {
@@ -13,6 +14,24 @@ bool isNear(const std::vector<float>& a, const std::vector<float>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float x, float y) {
     return std::abs(x - y) <= 1e-4f * std::max(1.0f, std::max(std::abs(x), std::abs(y)));
   });
+}
+
+/// How far lights have moved at most, as chords of angles. Infinity: they are others.
+float wayOf(const std::vector<glm::vec3>& before, const std::vector<glm::vec3>& now) {
+  float most = 0;
+  for (size_t i = 0; before.size() == now.size() && i < now.size(); ++i) {
+    const float way = glm::distance(before[i], now[i]) / std::max(1.0f, glm::length(now[i]));
+    if (!(way <= most)) most = way;  // not >: what is no number has moved
+  }
+  return before.size() == now.size() ? most : std::numeric_limits<float>::infinity();
+}
+
+/// Most samples of shadows' history that count where lights have moved so far. With a ray a pixel, shadows
+/// without history are as exact; with fewer, old shadows are better than none while they are about the same.
+float shadowSamples(float way, bool quarter) {
+  constexpr float kRounding = 1e-4f, kAboutTheSame = 0.09f;
+  if (way <= kRounding) return VisibilityBuffer::kMaxSamples;
+  return quarter && way <= kAboutTheSame ? 0.5f : 0.0f;
 }
 
 }  // namespace
@@ -32,11 +51,13 @@ void LightHistory::begin(const FrameData& frame, const VisibilityIntegrator& int
   hits_.resize(width, height, frame.edgesGrow);
   now.space = PixelSpace(frame);
   now.placement.rememberScene(snapshot);
+  now.lights = integrator.lightPlaces();
   moving.space = now.space, moving.visibility = &now.visibility, moving.hits = &hits_;
   moving.mostSamples = kMax;
   moving.earlier = nullptr;
   if (!same_ || !before.space.usable) return;
   moving.earlier = &before.visibility, moving.earlierSpace = before.space;
+  moving.mostLightSamples = shadowSamples(wayOf(before.lights, now.lights), moving.rays.quarter);
   moving.reprojection = Reprojection(before.placement, before.space, now.placement, frame);
   if (moving.reprojection.changed || (frame.remote && frame.remote->changed()))
     moving.mostSamples = kMaxSamplesAfterChange;

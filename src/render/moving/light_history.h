@@ -30,6 +30,7 @@ class LightHistory {
     VisibilityBuffer visibility;
     PixelSpace space;
     Placement placement;
+    std::vector<glm::vec3> lights;  // VisibilityIntegrator::lightPlaces()
   };
   Frame frames_[2];
   HitBuffer hits_;

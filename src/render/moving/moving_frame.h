@@ -19,6 +19,9 @@ struct MovingFrame {
   uint32_t index = 0;  // of the frame among those accumulated on the buffers
   MovingRays rays;
   float mostSamples = 32;  // of a pixel's history
+  // Of its history of shadows, which count less where lights have moved; 0: shadows have no history, and all
+  // pixels trace rays.
+  float mostLightSamples = VisibilityBuffer::kMaxSamples;
   PixelSpace space;
   Channels channels;
   VisibilityBuffer* visibility = nullptr;
@@ -26,6 +29,15 @@ struct MovingFrame {
   const VisibilityBuffer* earlier = nullptr;  // null: no history
   PixelSpace earlierSpace;
   Reprojection reprojection;
+
+  /// Whether a channel is the visibility of a light.
+  bool isOfLight(int channel) const { return channel > 0 || !channels.used.occlusion; }
+  /// Most samples of a channel's history.
+  float mostSamplesOf(int channel) const {
+    return isOfLight(channel) ? mostLightSamples : static_cast<float>(VisibilityBuffer::kMaxSamples);
+  }
+  /// Most samples of a channel, with those of this frame.
+  float mostKnownOf(int channel) const { return mostSamplesOf(channel) + static_cast<float>(rays.perPixel); }
 };
 
 }  // namespace gluray::render
