@@ -1,13 +1,28 @@
-"""A window of VTK with a wavy plane: waves_window.py MILLIONS_OF_TRIANGLES WIDTH HEIGHT. Ends when the window is closed."""
+"""A window of VTK with a wavy plane, for scripts/bench shots. Ends when the window is closed. Needs Debian's VTK."""
 import math
+import pathlib
 import sys
 
-import numpy
-import vtkmodules.vtkInteractionStyle  # noqa: F401
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+from command_line import Parser  # noqa: E402
+
+
+def arguments():
+    parser = Parser(__doc__)
+    parser.add_argument("millions", type=float, help="of triangles")
+    parser.add_argument("width", type=int, help="of the window, pixels")
+    parser.add_argument("height", type=int)
+    return parser.parse_args()
+
+
+GIVEN = arguments() if __name__ == "__main__" else None  # before what may be missing is imported
+
+import numpy  # noqa: E402
+import vtkmodules.vtkInteractionStyle  # noqa: E402, F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: E402, F401
+from vtkmodules.util.numpy_support import numpy_to_vtk  # noqa: E402
+from vtkmodules.vtkFiltersSources import vtkPlaneSource  # noqa: E402
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor  # noqa: E402
 
 
 def main(millions, width, height):
@@ -37,4 +52,4 @@ def main(millions, width, height):
 
 
 if __name__ == "__main__":
-    main(float(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]))
+    main(GIVEN.millions, GIVEN.width, GIVEN.height)

@@ -16,6 +16,16 @@ import sys
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 from command_line import Parser  # noqa: E402
 
+
+def arguments():
+    parser = Parser(__doc__)
+    parser.add_argument("--samples", required=True, metavar="PROGRAM")
+    parser.add_argument("--out", required=True, type=pathlib.Path, metavar="FOLDER")
+    return parser.parse_args()
+
+
+GIVEN = arguments() if __name__ == "__main__" else None  # before what may be missing is imported
+
 try:
     import numpy as np
     import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
@@ -247,11 +257,7 @@ class Scene:
         return self.faults
 
 
-def main():
-    parser = Parser(__doc__)
-    parser.add_argument("--samples", required=True, metavar="PROGRAM")
-    parser.add_argument("--out", required=True, type=pathlib.Path, metavar="FOLDER")
-    given = parser.parse_args()
+def main(given):
     given.out.mkdir(parents=True, exist_ok=True)
     vtkObject.GlobalWarningDisplayOff()
     subprocess.run([given.samples, given.out], check=True, stdout=subprocess.DEVNULL)
@@ -262,4 +268,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(GIVEN))

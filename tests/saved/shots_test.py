@@ -108,6 +108,15 @@ class Shots(unittest.TestCase):
         view = pixels(self.file("window.png"), "-crop", f"{width}x{height}+40+30", "+repage")
         self.assertTrue(pixels(self.file("picture.png")) == view)
 
+    def test_small_scenes_are_traced_to_be_saved(self):
+        self.environment["GLURAY_ENGINE"] = "auto"  # which leaves them to the real OpenGL
+        for client in ((CLIENT, "exposed"), (TOOLKIT,)):
+            self.start(client=client)
+            name = pathlib.Path(client[0]).name
+            self.done("save", "-p", name, "scene.gluray")
+            self.done("render", "scene.gluray", "picture.png")
+            self.assertGreater(len(set(pixels(self.file("picture.png"))[::4])), 20, "surfaces with shades")
+
     def test_pictures_of_light_are_those_of_programs(self):
         scene = self.saved("--ao", "--set", "ao.samples=4", "--set", "refine.passes=4")
         self.assertGreater(scene.stat().st_size, 1000)

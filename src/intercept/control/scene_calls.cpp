@@ -72,6 +72,8 @@ Called SceneCalls::call(const std::string& name, const json& arguments, json& va
     return Called::done;
   }
   if (!frame) return Called::later;
+  // Small scenes are traced only since somebody asks for them: the window still shows another frame.
+  if (name == "save" && frame->batches.empty() && nowSeconds() - began_ < kFirstTraced) return Called::later;
   try {
     const Frames frames = allFrames(frame);
     if (name == "objects") value = objects(arguments, frames);

@@ -24,7 +24,8 @@ class SceneCalls {
   // Seconds after the first call in which a frame without surfaces may show an old image, and a frame whose
   // end is unknown may be incomplete.
   static constexpr double kDoubt = 2;
-  static constexpr double kWhole = 0.1;  // seconds without another batch until a frame counts as complete
+  static constexpr double kFirstTraced = 6;  // seconds after the first call until a traced frame is shown
+  static constexpr double kWhole = 0.1;      // seconds without another batch until a frame counts as complete
 
   /// `windowSize`: returns the size in pixels of the window that showed a frame last; {0, 0} if unknown.
   explicit SceneCalls(std::function<glm::ivec2()> windowSize) : windowSize_(std::move(windowSize)) {}
