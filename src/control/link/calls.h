@@ -36,7 +36,8 @@ class Calls {
     nlohmann::json id, arguments;
     FrameWait wait;
   };
-  bool carryOut(const std::string& name, const nlohmann::json& id, const nlohmann::json& arguments);
+  bool carryOut(const std::string& name, const nlohmann::json& id, const nlohmann::json& arguments,
+                double now);
 
   ControlledProgram& program_;
   const SettingsSource& source_;

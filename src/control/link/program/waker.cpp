@@ -38,6 +38,7 @@ void Waker::passed(double now) {
   if (step_ == Step::exposed) seeExposure(now);
   if (step_ == Step::wider && now >= due_) {
     program_.tellSize(false);
+    calm_ = now + kCalm;
     go(Step::told, now + kLook);
   }
   if (step_ == Step::told && (drew() || now >= due_)) {

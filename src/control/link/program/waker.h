@@ -14,6 +14,7 @@ class Waker {
   static constexpr double kLook = 0.3;    // time in which an exposure shows its effect
   static constexpr double kPoll = 0.02;   // interval of checks meanwhile
   static constexpr double kWider = 0.1;   // until windows are sent their own size again
+  static constexpr double kCalm = 1;      // from then on until it has drawn in that size
   static constexpr int kMaxFailures = 2;  // after so many ineffective sizes, no more are sent
 
   Waker(ControlledProgram& program, const SettingsSource& source) : program_(program), source_(source) {}
@@ -30,6 +31,8 @@ class Waker {
   double nextDue(double now) const;
   /// Whether frames shown now may be for windows of another size.
   bool widens() const { return step_ == Step::wider; }
+  /// Whether what the program drew last may be for windows of another size.
+  bool disturbs(double now) const { return widens() || now < calm_; }
 
  private:
   enum class Step {
@@ -50,7 +53,7 @@ class Waker {
   bool onlyShows_ = false;  // when exposed, the program only shows a cached image
   int failures_ = 0;
   Step step_ = Step::rest;
-  double due_ = 0;
+  double due_ = 0, calm_ = 0;
   uint64_t frame_ = 0, draws_ = 0;  // when it was requested to draw
 };
 

@@ -65,6 +65,22 @@ TEST_F(WakerTest, ProgramsThatOnlyShowWhatTheyDrewAreToldAnotherSize) {
   EXPECT_EQ(wake(Kind::shows), "wn") << "it is known";
 }
 
+TEST_F(WakerTest, AnotherSizeDisturbsUntilTheProgramHasDrawnInItsOwn) {
+  wake(Kind::draws);
+  EXPECT_FALSE(waker->disturbs(now));
+  program.kind = Kind::shows, program.asked.clear();
+  waker->wake();
+  bool disturbed = false;
+  while (program.asked != "ewn") {
+    waker->passed(now += 0.01);
+    EXPECT_EQ(waker->disturbs(now), program.asked.size() > 1) << program.asked;
+    disturbed = disturbed || waker->disturbs(now);
+  }
+  EXPECT_TRUE(disturbed);
+  EXPECT_TRUE(waker->disturbs(now + Waker::kCalm / 2));
+  EXPECT_FALSE(waker->disturbs(now + 2 * Waker::kCalm));
+}
+
 TEST_F(WakerTest, ProgramsThatDoNotDrawThenAreToldNoMoreSizes) {
   EXPECT_EQ(wake(Kind::neverDraws), "ewn");
   EXPECT_EQ(wake(Kind::neverDraws), "ewn");
