@@ -33,7 +33,7 @@ class DrawnObjects {
   /// (shown_places.h).
   void placed(const std::vector<glm::ivec4>& places);
   /// Reports the end of a frame of a context that never swaps: another context has swapped.
-  void endFrame() noexcept { ended_ = true; }
+  void endFrame() noexcept { ended_ = true, swaps_ = false; }
   /// Reports that the framebuffer's colours were cleared in `box`.
   void colorCleared(uint32_t framebuffer, const scene::Region& box) noexcept;
   /// Reports that the framebuffer's depth was cleared in `box`.

@@ -173,7 +173,9 @@ json SceneCalls::save(const json& arguments, const gl::ShownFrame& frame) {
   const std::string file = control::textIn(arguments, "file");
   if (file.empty() || file.front() != '/') throw std::runtime_error("file: use a name with its whole path");
   ShownAsSaved shown = shownAsSaved(frame, {windowSize_(), gl::shownFrames().places()});
-  if (shown.scene.batches.empty()) throw std::runtime_error("it shows no traced surface");
+  if (shown.scene.batches.empty())
+    throw std::runtime_error(
+        "it has drawn no surface that is traced since it was asked: turn its view, and try again");
   json value{{"frame", frameOf(frame)}, {"box", nullptr}};
   if (const auto& box = shown.box) value["box"] = {box->x, box->y, box->z, box->w};
   saver_.start(std::move(shown.scene), file);
