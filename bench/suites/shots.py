@@ -71,7 +71,8 @@ def shown(gluray, environment, millions, work):
                                env=work.environment, stdout=subprocess.PIPE, text=True)
     end = time.monotonic() + PATIENCE
     while program.poll() is None and time.monotonic() < end:
-        if json.loads(work.run(gluray, "list", "--json")["out"] or "[]"):
+        listed = subprocess.run([gluray, "list", "--json"], env=work.environment, capture_output=True, text=True, check=False)
+        if listed.returncode == 0 and json.loads(listed.stdout or "[]"):
             return program, hub
         time.sleep(0.2)
     raise programs.Failed("the program shows no frame")
