@@ -198,6 +198,22 @@ class Shots(unittest.TestCase):
         self.done(*words[1:])
         self.assertTrue(pixels(self.file("picture.png")) == pixels(self.file("whole.png")))
 
+    def test_a_film_that_was_interrupted_goes_on(self):
+        self.saved()
+        words = [GLURAY, "render", "scene.gluray", "turn-%02d.png", "--turntable", "6", "--size", "1000x750", "--spp", "16"]
+        process = subprocess.Popen(words, cwd=self.folder, env=self.environment, stdout=subprocess.DEVNULL)
+        end = time.monotonic() + PATIENCE
+        while not self.file("turn-03.png.unfinished").exists():  # one band a picture
+            self.assertLess(time.monotonic(), end)
+            self.assertIsNone(process.poll(), "it was too fast")
+            time.sleep(0.001)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        before = {name: self.file(name).stat().st_mtime_ns for name in ("turn-01.png", "turn-02.png")}
+        self.assertIn("went on from an interrupted run", self.done(*words[1:]).stdout)
+        self.assertEqual({name: self.file(name).stat().st_mtime_ns for name in before}, before)
+        self.assertEqual(len([name for name in self.names() if name.startswith("turn-")]), 6)
+
     def test_a_full_disk_leaves_the_last_good_file(self):
         self.saved()
         self.done("render", "scene.gluray", "picture.png", "--size", "64x48")

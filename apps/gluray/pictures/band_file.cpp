@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
@@ -41,15 +42,25 @@ bool writeAll(int descriptor, const void* bytes, size_t count, off_t at) {
 
 off_t rowAt(const BandPlan& plan, int y) { return kPixels + off_t{4} * plan.width * y; }
 
-}  // namespace
-
-int BandFile::finishedBands(const std::string& path, uint64_t low, uint64_t high) {
+/// The head of the file if it is one of this work.
+std::optional<Head> headOf(const std::string& path, uint64_t low, uint64_t high) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
-  if (descriptor < 0) return 0;
+  if (descriptor < 0) return std::nullopt;
   Head head;
   const bool same = readHead(descriptor, head) && head.plan.low == low && head.plan.high == high;
   ::close(descriptor);
-  return same ? head.finished : 0;
+  return same ? std::optional(head) : std::nullopt;
+}
+
+}  // namespace
+
+int BandFile::finishedBands(const std::string& path, uint64_t low, uint64_t high) {
+  const auto head = headOf(path, low, high);
+  return head ? head->finished : 0;
+}
+
+bool BandFile::isOf(const std::string& path, uint64_t low, uint64_t high) {
+  return headOf(path, low, high).has_value();
 }
 
 BandFile::BandFile(std::string path, const BandPlan& plan) : path_(std::move(path)), plan_(plan) {

@@ -18,6 +18,8 @@ class BandFile {
  public:
   /// The number of bands, from the first on, that the file already has of this work; 0 if it is none.
   static int finishedBands(const std::string& path, uint64_t low, uint64_t high);
+  /// Whether the file is one of this work, also without bands.
+  static bool isOf(const std::string& path, uint64_t low, uint64_t high);
   /// Opens the file of this work, or begins one. Throws std::runtime_error with one line.
   BandFile(std::string path, const BandPlan& plan);
   ~BandFile();

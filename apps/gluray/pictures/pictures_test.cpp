@@ -80,6 +80,14 @@ TEST_F(Bands, GoOnWhereTheyEnded) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
+TEST_F(Bands, OfThisWorkAreKnownBeforeTheFirst) {
+  EXPECT_FALSE(BandFile::isOf(path, 1, 2));
+  { const BandFile begun(path, plan); }
+  EXPECT_TRUE(BandFile::isOf(path, 1, 2));
+  EXPECT_FALSE(BandFile::isOf(path, 1, 3));
+  EXPECT_EQ(BandFile::finishedBands(path, 1, 2), 0);
+}
+
 TEST_F(Bands, OfOtherWorkAreDropped) {
   const std::vector<uint32_t> pixels(6, 1);
   BandFile(path, plan).add(0, 2, pixels.data());

@@ -178,10 +178,10 @@ RenderedPicture renderPictures(const PictureOptions& options, const NamedValues&
     ::unlink(work.bandsOf(work.firstPicture).c_str());
     work.firstPicture = 0;
   }
-  work.firstBand =
-      BandFile::finishedBands(work.bandsOf(work.firstPicture), work.identity.low, work.identity.high);
-  if (work.firstBand == 0) work.firstPicture = 0;  // of other work
-  work.picture.resumed = work.firstBand > 0;
+  const std::string unfinished = work.bandsOf(work.firstPicture);
+  if (!BandFile::isOf(unfinished, work.identity.low, work.identity.high)) work.firstPicture = 0;
+  work.firstBand = BandFile::finishedBands(unfinished, work.identity.low, work.identity.high);
+  work.picture.resumed = work.firstBand > 0 || work.firstPicture > 0;
   trace(options, values, work);
   work.picture.files = std::move(work.files);
   return std::move(work.picture);

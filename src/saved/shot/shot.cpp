@@ -4,7 +4,6 @@
 #include "saved/shot/turned_view.h"
 #include "scene/effects.h"
 #include "scene/premultiplied.h"
-#include "settings/samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,18 +81,24 @@ void Shot::look() {
   lookAtWindow();
 }
 
-void Shot::place(const SavedBatch& batch) {
-  Placed& placed = placed_.emplace_back();
-  placed.snapshot = frame_->placed(batch);
+/// The batch as a picture of this frame shows it.
+Shot::Placed Shot::placedIn(const ShotFrame& frame, const SavedBatch& batch) {
+  Placed placed;
+  placed.snapshot = frame.placed(batch);
   placed.snapshot.viewFrame = 1;  // so that one exposure holds for all bands, and all turns
   placed.snapshot.settings.refine.progress = false;
   placed.test = {.strict = batch.strict, .largestWins = placed.snapshot.camera.largestWins};
   for (const scene::Region& box : batch.cleared) {
     const glm::dvec2 low = glm::dvec2(box.x, box.y) + glm::dvec2(batch.place),
                      high = low + glm::dvec2(box.width, box.height);
-    const glm::ivec2 from(glm::floor(frame_->pictureOf(low))), to(glm::ceil(frame_->pictureOf(high)));
+    const glm::ivec2 from(glm::floor(frame.pictureOf(low))), to(glm::ceil(frame.pictureOf(high)));
     placed.cleared.push_back({from.x, from.y, to.x - from.x, to.y - from.y});
   }
+  return placed;
+}
+
+void Shot::place(const SavedBatch& batch) {
+  const Placed& placed = placed_.emplace_back(placedIn(*frame_, batch));
   samples_ = std::max(samples_, placed.snapshot.samples);
   if (isFiltered(placed.snapshot)) margin_ = kFilterReach;
 }
@@ -107,12 +112,7 @@ void Shot::lookAtWindow() {
   const scene::Region all{0, 0, scene_.window.x, scene_.window.y};
   Canvas canvas(all, samples_);
   for (size_t i = 0; i < placed_.size(); ++i) {
-    Placed placed;
-    placed.snapshot = window.placed(scene_.batches[i]);
-    placed.snapshot.viewFrame = 1;
-    placed.test = placed_[i].test, placed.cleared = scene_.batches[i].cleared;
-    for (scene::Region& box : placed.cleared)
-      box.x += scene_.batches[i].place.x, box.y += scene_.batches[i].place.y;
+    Placed placed = placedIn(window, scene_.batches[i]);
     const auto& layers = placed.snapshot.layers;
     if (layers && layers->of != Of::drawn && options_.turn == 0) {
       placed_[i].window = placed.snapshot.region;
@@ -193,14 +193,13 @@ std::vector<uint32_t> Shot::behind(const scene::Region& band) const {
 std::vector<uint32_t> Shot::band(int number) {
   const glm::ivec2 all = size();
   const int top = all.y - number * bandRows_, bottom = std::max(0, top - bandRows_);
-  const scene::Region wanted{0, bottom, all.x, top - bottom};
   const scene::Region band =
       common({0, bottom - margin_, all.x, top - bottom + 2 * margin_}, {0, 0, all.x, all.y});
   Canvas canvas(band, samples_, behind(band));
   for (Placed& placed : placed_) draw(placed, band, canvas);
   const std::vector<uint32_t> colors = canvas.colors();
   std::vector<uint32_t> rows;
-  rows.reserve(static_cast<size_t>(wanted.width) * static_cast<size_t>(wanted.height));
+  rows.reserve(static_cast<size_t>(all.x) * static_cast<size_t>(top - bottom));
   for (int y = top - 1; y >= bottom; --y)
     for (int x = 0; x < all.x; ++x) {
       const uint32_t color =

@@ -46,6 +46,7 @@ class Shot {
  private:
   struct Placed;
   void look();
+  static Placed placedIn(const ShotFrame& frame, const SavedBatch& batch);
   void place(const SavedBatch& batch);
   void lookAtWindow();
   void draw(Placed& placed, const scene::Region& band, Canvas& canvas) const;
