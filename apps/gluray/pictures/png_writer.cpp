@@ -1,18 +1,15 @@
 #include "pictures/png_writer.h"
 
+#include "base/files.h"
 #include "base/printable.h"
 
 #include <png.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <csetjmp>
 #include <cstdio>
 #include <new>
 #include <stdexcept>
-#include <system_error>
 
 namespace gluray::launcher {
 namespace {
@@ -65,7 +62,13 @@ class Png {
   png_infop info_ = png_ ? png_create_info_struct(png_) : nullptr;
 };
 
-void write(std::FILE* out, const PngPicture& picture) {
+void append(png_structp png, png_bytep bytes, size_t count) {
+  auto& draft = *static_cast<files::Draft*>(png_get_io_ptr(png));
+  if (!draft.write({reinterpret_cast<const char*>(bytes), count})) png_error(png, draft.why().c_str());
+}
+void flush(png_structp) {}
+
+void write(files::Draft& draft, const PngPicture& picture) {
   std::vector<png_text> texts;
   for (const auto& [keyword, value] : picture.texts) {
     png_text& text = texts.emplace_back();
@@ -74,7 +77,7 @@ void write(std::FILE* out, const PngPicture& picture) {
   }
   Png png;
   png.step([&](png_structp p, png_infop info) {
-    png_init_io(p, out);
+    png_set_write_fn(p, &draft, append, flush);
     png_set_IHDR(p, info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height),
                  8, picture.alpha ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -95,23 +98,13 @@ void write(std::FILE* out, const PngPicture& picture) {
 }  // namespace
 
 void writePng(const std::string& file, const PngPicture& picture) {
-  const std::string part = file + ".part-" + std::to_string(getpid());
-  const auto fail = [&](const std::string& why) {
-    ::unlink(part.c_str());
-    throw std::runtime_error(printable(file) + " cannot be written: " + why);
-  };
-  ::unlink(part.c_str());  // of a process that was killed and had our number
-  std::FILE* const out = std::fopen(part.c_str(), "wbx");
-  if (!out) fail(std::generic_category().message(errno));
-  std::string why;
-  errno = 0;
+  files::Draft draft(file);
+  std::string why = draft.why();
   try {
-    write(out, picture);
-  } catch (const std::exception& e) { why = errno != 0 ? std::generic_category().message(errno) : e.what(); }
-  if (std::fclose(out) != 0 && why.empty()) why = std::generic_category().message(errno);
-  if (why.empty() && std::rename(part.c_str(), file.c_str()) != 0)
-    why = std::generic_category().message(errno);
-  if (!why.empty()) fail(why);
+    if (why.empty()) write(draft, picture);
+  } catch (const std::exception& e) { why = e.what(); }
+  if (why.empty() && !draft.place()) why = draft.why();
+  if (!why.empty()) throw std::runtime_error(printable(file) + " cannot be written: " + why);
 }
 
 }  // namespace gluray::launcher
