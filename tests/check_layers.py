@@ -35,7 +35,7 @@ ALLOWED = {
 # include, have no place in the order, nor have *_test.cpp.
 FOLDERS = {
     "settings": ["", "layers", "live"],
-    "frame": ["tracing", "refinement", "images", "pixels", "questions"],
+    "frame": ["tracing", "refinement", "idle", "images", "pixels", "questions"],
     "accel": ["memory", "rays", "device", "impostors", "queries", "blocks", "meshes", "pages", "cache", "volumes", ""],
     "render": ["tiles", "camera", "local", "edges", "bsdf", "sampling", "resolve", "lights", "media", "frame_data", "shading", "hit_points", "remote",
                "integrators", "moving", "paths", "ground", "effects", "packets", "visibility", "layers", "kernels", "volumes", "volume_light", "", "exposure"],

@@ -67,7 +67,7 @@ def peak_of(environment, folder, *words):
 def shown(gluray, environment, millions, work):
     """Starts the program, and waits until it can be saved. Returns it and its hub."""
     hub = subprocess.Popen([gluray, "hub"], env=work.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    program = subprocess.Popen([gluray, "--set", "engine=always", "--", PYTHON, "-B", str(ROOT / "bench" / "data" / "waves_window.py"), str(millions), *map(str, WINDOW)],
+    program = subprocess.Popen([gluray, "--set", "engine=always", "--", PYTHON, "-B", str(ROOT / "bench" / "shots" / "waves_window.py"), str(millions), *map(str, WINDOW)],
                                env=work.environment, stdout=subprocess.PIPE, text=True)
     end = time.monotonic() + PATIENCE
     while program.poll() is None and time.monotonic() < end:

@@ -1,8 +1,8 @@
 // The traced images of a frame. Refines them in the window while the program is idle, and finishes them for
 // a program that reads the frame. GL thread, one per context.
 #pragma once
+#include "frame/idle/idle_refiner.h"
 #include "frame/images/image_cache.h"
-#include "frame/refinement/idle_refiner.h"
 #include "frame/tracing/tracer.h"
 
 #include <functional>

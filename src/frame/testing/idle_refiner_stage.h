@@ -1,6 +1,6 @@
 // A window in memory whose images are refined, for idle_refiner*_test.cpp.
 #pragma once
-#include "frame/refinement/idle_refiner.h"
+#include "frame/idle/idle_refiner.h"
 #include "frame/testing/lit_scene.h"
 
 #include <gtest/gtest.h>

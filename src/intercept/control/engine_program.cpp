@@ -3,7 +3,7 @@
 #include "base/clock.h"
 #include "base/log.h"
 #include "control/process_start.h"
-#include "frame/refinement/idle_refiner.h"
+#include "frame/idle/idle_refiner.h"
 #include "intercept/contexts/contexts.h"
 #include "intercept/control/link.h"
 #include "intercept/reports/light_report.h"

@@ -1,6 +1,6 @@
 #include "intercept/reports/light_report.h"
 
-#include "frame/refinement/idle_refiner.h"
+#include "frame/idle/idle_refiner.h"
 #include "frame/refinement/refinement_progress.h"
 
 #include <nlohmann/json.hpp>

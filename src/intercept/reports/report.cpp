@@ -5,7 +5,7 @@
 #include "base/log.h"
 #include "base/never_destroyed.h"
 #include "base/own_thread.h"
-#include "frame/refinement/idle_refiner.h"
+#include "frame/idle/idle_refiner.h"
 #include "frame/refinement/refinement_progress.h"
 #include "gl/buffers/buffer.h"
 #include "intercept/contexts/contexts.h"

@@ -1,7 +1,7 @@
 // Edges of surfaces in a window whose image was written with one sample per pixel, and is refined with
 // several: pixels that the refined image covers only partly. Used by one thread at a time.
 #pragma once
-#include "frame/refinement/compared_pixels.h"
+#include "frame/idle/compared_pixels.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,7 @@
-#include "frame/refinement/idle_image.h"
+#include "frame/idle/idle_image.h"
 
-#include "frame/refinement/compared_pixels.h"
-#include "frame/refinement/edge_pixels.h"
+#include "frame/idle/compared_pixels.h"
+#include "frame/idle/edge_pixels.h"
 #include "settings/samples.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // GL thread, one per context. The thread starts with the first frame and ends after a second without one.
 #pragma once
 #include "base/background_job.h"
-#include "frame/refinement/idle_image.h"
+#include "frame/idle/idle_image.h"
 #include "frame/tracing/tracer.h"
 
 #include <atomic>

@@ -1,5 +1,5 @@
 // Edges of images that move with one sample per pixel and rest with several.
-#include "frame/refinement/edge_pixels.h"
+#include "frame/idle/edge_pixels.h"
 
 #include "base/sanitized.h"
 #include "frame/testing/idle_refiner_stage.h"

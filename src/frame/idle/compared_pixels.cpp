@@ -1,4 +1,4 @@
-#include "frame/refinement/compared_pixels.h"
+#include "frame/idle/compared_pixels.h"
 
 namespace gluray::frame {
 

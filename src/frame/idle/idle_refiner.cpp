@@ -1,4 +1,4 @@
-#include "frame/refinement/idle_refiner.h"
+#include "frame/idle/idle_refiner.h"
 
 #include "base/never_destroyed.h"
 #include "base/timeline.h"

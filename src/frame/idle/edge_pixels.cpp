@@ -1,4 +1,4 @@
-#include "frame/refinement/edge_pixels.h"
+#include "frame/idle/edge_pixels.h"
 
 #include "scene/premultiplied.h"
 
