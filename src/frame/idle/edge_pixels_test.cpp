@@ -48,7 +48,7 @@ struct MovingBalls : IdleRefinerTest {
   void refine() {
     IdleRefiner refiner(tracer, 1ms);
     refiner.start(frameOf(images(), window));
-    waitForRest();
+    waitForRest(refiner);
   }
   /// What the program shows with all samples.
   std::vector<uint32_t> truth(const Background& behind) {

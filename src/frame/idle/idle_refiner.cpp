@@ -72,6 +72,11 @@ void IdleRefiner::stop() noexcept {
   state_ = State::empty;
 }
 
+bool IdleRefiner::isResting() noexcept {
+  const std::lock_guard lock(mutex_);
+  return state_ == State::empty;
+}
+
 std::unique_ptr<Refinement> IdleRefiner::takePasses(uint64_t id) noexcept {
   const std::lock_guard lock(mutex_);
   return frame_ ? frame_->takePasses(id) : nullptr;

@@ -43,6 +43,9 @@ class IdleRefiner {
   void stop() noexcept;
   /// Whether the last window that was looked at did not show its images unchanged. Any thread.
   bool refused() const noexcept { return refused_; }
+  /// Whether no frame is left to refine: it has its target noise, its window was changed, or there is none.
+  /// Any thread.
+  bool isResting() noexcept;
   /// The frame of the last start(); null: none. Before stop(), only its size may be read.
   IdleFrame* frame() noexcept { return frame_.get(); }
   /// Continues with that frame after stop(), if its window has not changed.

@@ -29,7 +29,7 @@ struct AntialiasedWindow : IdleRefinerTest {
   void refine() {
     IdleRefiner refiner(tracer, 1ms);
     refiner.start(frameOf(written(), window, {pass}));
-    waitForRest();
+    waitForRest(refiner);
   }
   void expectLeftAlone() {
     const std::vector<uint32_t> shown = window->colors();

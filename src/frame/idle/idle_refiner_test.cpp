@@ -18,7 +18,7 @@ TEST_F(IdleRefinerTest, TheWindowBecomesCleanerAndThenWorkEnds) {
   ASSERT_TRUE(renderer.render(many, truth, cost, error));
   IdleRefiner refiner(tracer, 1ms);
   refiner.start(frameOf(written(), window));
-  waitForRest();
+  waitForRest(refiner);
   EXPECT_LT(test::difference(seen(), truth), 0.012);
   EXPECT_GT(test::difference(first, truth), 0.05);
   EXPECT_GE(window->painted(), 2);
@@ -40,7 +40,7 @@ TEST_F(IdleRefinerTest, WhatWasDrawnOverTheImageStays) {
   window->show(first.width, first.height, overlaid);
   IdleRefiner refiner(tracer, 1ms);
   refiner.start(frameOf(written(), window));
-  waitForRest();
+  waitForRest(refiner);
   const std::vector<uint32_t> after = window->colors();
   for (size_t i = 0; i < 200; ++i) EXPECT_EQ(after[i], 0xff123456);
   for (size_t i = 300; i < 400; ++i) EXPECT_EQ(after[i], overlaid[i]);
@@ -68,7 +68,7 @@ TEST_F(IdleRefinerTest, NoiseThatEqualsAFlatOverlayIsNotTakenForTheImage) {
   window->show(first.width, first.height, overlaid);
   IdleRefiner refiner(tracer, 1ms);
   refiner.start(frameOf(written(), window));
-  waitForRest();
+  waitForRest(refiner);
   const std::vector<uint32_t> after = window->colors();
   for (size_t i = 0; i < after.size(); ++i) {
     if (covered(i)) { EXPECT_EQ(after[i], common->first) << i; }
@@ -89,7 +89,7 @@ TEST_F(IdleRefinerTest, InsidesOfMultisampledImagesAreRefined) {
   images[0].mixed[500] = 1;
   IdleRefiner refiner(tracer, 1ms);
   refiner.start(frameOf(std::move(images), window));
-  waitForRest();
+  waitForRest(refiner);
   const std::vector<uint32_t> after = window->colors();
   EXPECT_NE(after, first.color);
   EXPECT_EQ(after[500], first.color[500]);
@@ -114,7 +114,7 @@ TEST_F(IdleRefinerTest, WhatTheProgramShowsMeanwhileStays) {
   ASSERT_TRUE(waitFor([&] { return window->painted() > 0; }));
   const std::vector<uint32_t> newer(first.color.size(), 0xff00ff00);
   window->show(first.width, first.height, newer);
-  waitForRest();
+  waitForRest(refiner);
   EXPECT_EQ(window->colors(), newer);
 }
 
@@ -196,7 +196,7 @@ TEST_F(IdleRefinerTest, GoesOnFromThePassesSoFar) {
   images[0].refinement = std::move(refinement);
   IdleRefiner refiner(tracer, 1ms);
   refiner.start(frameOf(std::move(images), window));
-  waitForRest();
+  waitForRest(refiner);
   EXPECT_EQ(passes, 4);
   EXPECT_EQ(window->painted(), 1);
   refiner.stop();
@@ -216,7 +216,7 @@ TEST_F(IdleRefinerTest, SeveralViewsOfAWindowAreRefined) {
   images.push_back({right, 6, {w, 0}, {w, h}, first.color});
   IdleRefiner refiner(tracer, 1ms);
   refiner.start(frameOf(std::move(images), window));
-  waitForRest();
+  waitForRest(refiner);
   const std::vector<uint32_t> after = window->colors();
   for (int y = 0; y < h; ++y)
     for (int x = 0; x < w; ++x)

@@ -88,19 +88,13 @@ struct IdleRefinerTest : testing::Test {
   }
   template <class Done>
   static bool waitFor(Done&& done) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(100);
     while (!done() && std::chrono::steady_clock::now() < end)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return done();
   }
-  /// Until no pass was traced for a while.
-  void waitForRest() {
-    int last = -1;
-    waitFor([&] {
-      const int before = std::exchange(last, passes.load());
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-      return before > 0 && before == passes;
-    });
+  static void waitForRest(IdleRefiner& refiner) {
+    EXPECT_TRUE(waitFor([&] { return refiner.isResting(); }));
   }
   Image seen() {
     Image image = first;

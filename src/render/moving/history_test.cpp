@@ -59,12 +59,10 @@ void fillTubes(VisibilityBuffer& buffer, const PixelSpace& space) {
     }
 }
 
-/// What is known of the points of both tubes at x, seen half a pixel aside of where they were.
-Known knownAt(const MovingFrame& moving, float x, int& tube, bool narrow) {
+/// What is known of the point of a tube, seen aside of where points of it were.
+Known knownAt(const MovingFrame& moving, int tube, const glm::vec3& n, bool narrow) {
   alignas(64) Row point[3], normal[3];
   NarrowLanes lanes;
-  glm::vec3 n;
-  tube = tubeAt(x, n);
   const glm::vec3 p = pointOn(tube, n, 8.3f);
   for (int i = 0; i < kLanes; ++i) {
     for (int c = 0; c < 3; ++c)
@@ -86,10 +84,12 @@ TEST(History, OfNarrowTubesIsFoundAndStaysOnThem) {
   moving.earlier = &buffer, moving.mostSamples = 16, moving.channels.used.occlusion = true;
   int found = 0, withoutAxes = 0, count = 0;
   for (float x = 8.9f; x < 13.6f; x += 0.1f) {
-    int tube = -1;
-    const Known known = knownAt(moving, x, tube, true);
+    glm::vec3 normal;
+    const int tube = tubeAt(x, normal);
     if (tube < 0) continue;
-    ++count, found += known.samples[0] > 0, withoutAxes += knownAt(moving, x, tube, false).samples[0] > 0;
+    const Known known = knownAt(moving, tube, normal, true);
+    ++count, found += known.samples[0] > 0;
+    withoutAxes += knownAt(moving, tube, normal, false).samples[0] > 0;
     if (known.samples[0] == 0) continue;
     EXPECT_EQ(known.visibility.occlusion[0], tube == 0 ? 1.0f : 0.0f) << x;
     EXPECT_NEAR(known.samples[0], 16, 1e-3f) << x;
