@@ -49,7 +49,7 @@ FOLDERS = {
                 "worker/facts", "worker/moving", "worker"],
     "saved": ["sections", "scene", "shot", "export/arrays", "export/gather", "export/formats", "export", "program"],
     "intercept": ["doors", "stubs", "probe", "session", "window_systems", "present/state", "present/read_back", "present/write_back",
-                  "present/raster", "present", "tracing", "hud", "windows", "contexts", "reports", "control", "frames", "hooks", ""],
+                  "present/raster", "present", "tracing", "hud", "windows", "contexts", "reports", "control", "capture", "frames", "hooks", ""],
 }
 # Name of the monopoly, pattern of its headers, folders that may include them. Holds for tests beside the code, too.
 MONOPOLIES = [

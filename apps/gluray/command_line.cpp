@@ -1,6 +1,7 @@
 #include "command_line.h"
 
 #include "help_text.h"
+#include "pictures/picture_commands.h"
 #include "say.h"
 #include "settings/setting_options.h"
 
@@ -122,34 +123,6 @@ void describeHub(CLI::App& app, CommandLine& line) {
                "Exit at the end of standard input, such as when the parent closes a pipe");
 }
 
-void describeRender(CLI::App& app, CommandLine& line) {
-  app.description(
-      "Makes a picture of a scene that `gluray save` saved, of any size, with the settings that the program "
-      "had\n"
-      "or others. If it is interrupted, the same command goes on where it ended. Overwrites PNG files only.");
-  app.name("gluray render");
-  app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray")->required();
-  app.add_option("FILE", line.picture.file, "Name of the picture, ending in .png")->required();
-  addPictureOptions(app, line.picture);
-  app.add_option(
-         "--turntable", line.picture.turntable,
-         "N numbered pictures (FILE is a pattern such as turn-%04d.png) of a camera that goes around the\n"
-         "scene once, without overlays")
-      ->check(CLI::Range(1, 100000))
-      ->type_name("N");
-  app.add_flag("--json", line.json, "Print JSON");
-  addSettingOptions(app, line.settings, false);
-}
-
-void describeExport(CLI::App& app, CommandLine& line) {
-  app.description(
-      "Writes a scene that `gluray save` saved in a form that other programs read: glTF 2.0, OBJ or PLY.");
-  app.name("gluray export");
-  app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray")->required();
-  app.add_option("FILE", line.picture.file, "Name of the new file, ending in .glb, .obj or .ply")->required();
-  app.add_flag("--json", line.json, "Print JSON");
-}
-
 /// Adds the options and the help text of the command in `line`.
 void describe(CLI::App& app, CommandLine& line) {
   const auto usage = [&](const char* text) { app.get_formatter()->label("OPTIONS", text); };
@@ -229,6 +202,9 @@ void describe(CLI::App& app, CommandLine& line) {
     default: return;
   }
   addOptions(app, line);
+  if (line.command != Command::run) return;
+  addShotOptions(app, line.shots);
+  addPictureOptions(app, line.picture);
 }
 
 /// Whether a program may follow the options: the others take names or a file.
@@ -236,6 +212,13 @@ bool takesProgram(Command command) {
   return command != Command::timeline && command != Command::get && command != Command::presets &&
          command != Command::hub && command != Command::render && command != Command::exportScene &&
          !isControlCommand(command);
+}
+
+std::string problemOfShots(const CommandLine& line) {
+  if (line.command != Command::run) return "";
+  if (line.shots.file.empty() && line.picture.anything())
+    return "--size, --fit, --background and --no-overlays need --shot FILE";
+  return problemOf(line.shots);
 }
 
 /// Index of the program's word, from `first` on: after "--", or the first word that is neither an option
@@ -283,6 +266,8 @@ Parsed parse(int argc, char** argv) {
   const bool needsProgram = line.command == Command::run || line.command == Command::explain;
   if (needsProgram && line.program.empty())
     parsed.exitCode = complain("no program given");
+  else if (const std::string why = problemOfShots(line); !why.empty())
+    parsed.exitCode = complain(why);
   else if (line.command == Command::quirks && !line.program.empty())
     parsed.exitCode = complain("quirks takes no program");
   else if (line.command == Command::uninstall && !line.program.empty())

@@ -1,5 +1,6 @@
 // The launcher's command line, parsed.
 #pragma once
+#include "capture/shot_options.h"
 #include "control/control_options.h"
 #include "pictures/picture_options.h"
 #include "settings/chosen_settings.h"
@@ -58,7 +59,8 @@ struct CommandLine {
 
   ControlOptions control;  // get, and commands for running programs
   HubLine hub;
-  PictureOptions picture;  // render, shot
+  PictureOptions picture;  // render, shot, run
+  ShotOptions shots;       // run
 
   bool json = false;    // all but run and timeline
   bool remove = false;  // uninstall

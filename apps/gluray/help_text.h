@@ -11,6 +11,7 @@ Examples:
   gluray --off osgviewer head.obj                  the real OpenGL, for comparison
   gluray --threads 4 --bvh least paraview          four threads, least memory
   gluray explain --html page.html glxgears         which draws were traced, and why others were not
+  gluray --shot last.png --quit paraview           a picture of what it shows when it is at rest
   gluray doctor osgviewer                          check whether it can be traced, without starting it
 
 Commands, each with its own --help:

@@ -1,6 +1,7 @@
 // gluray, the launcher: sets the environment so that a program's OpenGL calls go through GLuRay, and replaces
 // itself by the program (exec); or runs one of the other commands, such as explain and doctor.
 #include "base/files.h"
+#include "capture/captured_run.h"
 #include "command_line.h"
 #include "control/control_commands.h"
 #include "control/hub.h"
@@ -33,7 +34,7 @@ using namespace gluray::launcher;
 int run(const CommandLine& line) {
   const Program program = inspect(line.program[0]);
   if (program.path.empty() && program.error == ENOENT) return failToStart(line.program[0], program.error);
-  return becomeProgram(line, program);
+  return line.shots.file.empty() ? becomeProgram(line, program) : runWithShots(line, program);
 }
 
 int perform(const CommandLine& line) {

@@ -1,4 +1,5 @@
 // The engine's entry point, called by doors.
+#include "intercept/capture/capture.h"
 #include "intercept/contexts/contexts.h"
 #include "intercept/control/link.h"
 #include "intercept/frames/frames.h"
@@ -48,6 +49,7 @@ void start() {
     allowControl(liveSettings());
     whenFramesBegin(lookForHub);
   }
+  planCapture();
   followContexts();
   pthread_atfork(nullptr, nullptr, startChild);
   if (!session().reportFile.empty()) std::atexit(writeReport);

@@ -110,6 +110,7 @@ bool describeControl(CLI::App& app, CommandLine& line) {
           "any size and with any settings, made by a process of its own. Overwrites PNG files only.");
       app.add_option("FILE", options.file, "Name of the image, ending in .png")->required();
       addPictureOptions(app, line.picture);
+      addRestartOption(app, line.picture);
       addSettingOptions(app, line.settings, false);
       break;
     case Command::save:

@@ -3,8 +3,8 @@
 #include "base/files.h"
 #include "programs/doors.h"
 #include "programs/launch.h"
+#include "programs/stop_signals.h"
 
-#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,29 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-volatile sig_atomic_t g_stop = 0;
-
-/// Ctrl-C and SIGTERM end the program, not the launcher, which then prints what it has counted so far.
-class StopSignals {
- public:
-  StopSignals() {
-    struct sigaction note {};
-    note.sa_handler = [](int) { g_stop = 1; };
-    sigaction(SIGINT, &note, &interrupt_);
-    sigaction(SIGTERM, &note, &terminate_);
-  }
-  ~StopSignals() {
-    sigaction(SIGINT, &interrupt_, nullptr);
-    sigaction(SIGTERM, &terminate_, nullptr);
-  }
-  StopSignals(const StopSignals&) = delete;
-  StopSignals& operator=(const StopSignals&) = delete;
-
- private:
-  struct sigaction interrupt_ {
-  }, terminate_{};
-};
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -165,7 +142,7 @@ WatchedRun::Ending waitForEnding(Child& child, const Watch& wish, Reports& repor
     reports.read();
     if (isComplete(reports)) return WatchedRun::Ending::frames;
     if (ended) return WatchedRun::Ending::byItself;
-    if (g_stop) return WatchedRun::Ending::stopped;
+    if (StopSignals::stopped()) return WatchedRun::Ending::stopped;
     if (rest.atRest(reports)) return WatchedRun::Ending::rest;
     if (wish.limitSeconds > 0 && now() - start > wish.limitSeconds) return WatchedRun::Ending::limit;
   }
@@ -197,7 +174,6 @@ WatchedRun watch(const CommandLine& given, const Program& program, const Watch& 
                  const std::string& folder) {
   CommandLine line = given;
   line.settings.set("report", folder + "/report.json");
-  g_stop = 0;
   const StopSignals signals;
   Child child(line, program, [&] {
     prepareEnvironment(wish);

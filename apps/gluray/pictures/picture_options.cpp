@@ -39,6 +39,9 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
       ->capture_default_str();
   app.add_flag("!--no-overlays", options.overlays,
                "Leave out what the program draws over surfaces: text, axes, widgets");
+}
+
+void addRestartOption(CLI::App& app, PictureOptions& options) {
   app.add_flag("--restart", options.again, "Begin anew, even if a picture was interrupted");
 }
 

@@ -21,8 +21,10 @@ struct PictureOptions {
   bool anything() const { return !size.empty() || background != "as-shown" || !overlays; }
 };
 
-/// Adds --size, --fit, --background, --overlays and --restart.
+/// Adds --size, --fit, --background and --no-overlays.
 void addPictureOptions(CLI::App& app, PictureOptions& options);
+/// Adds --restart.
+void addRestartOption(CLI::App& app, PictureOptions& options);
 
 /// Reads "WIDTHxHEIGHT". Empty, or one line that says what is wrong.
 std::string readSize(const std::string& text, int& width, int& height);

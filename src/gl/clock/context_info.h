@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "gl/families/family.h"
 #include "gl/trials/engine_choice.h"
+#include "scene/region.h"
 #include "settings/live/settings_source.h"
 
 #include <glm/glm.hpp>
@@ -35,6 +36,9 @@ struct ContextInfo {
   std::shared_ptr<const FamilyList> families;  // of shader programs; null: builtInFamilies()
   /// Called before and after a frame of a single-buffered context ends. May be empty.
   std::function<void()> frameEnding, frameEnded;
+  /// Called when the program has read a picture, as long as the read framebuffer shows what it got. The
+  /// region that was read, in pixels of that framebuffer. May be empty.
+  std::function<void(const scene::Region&)> pictureRead;
   EngineChoice::Clock clock = nowSeconds;  // measures frames
 };
 

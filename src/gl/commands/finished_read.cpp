@@ -18,25 +18,31 @@ bool isPicture(const RealGl& real, const scene::Region& region) {
 
 }  // namespace
 
-void FinishedRead::begin(const scene::Region& region, GLenum format) noexcept {
+void FinishedRead::begin(GLenum format) noexcept {
   if (flushToRead(format) != Context::Flush::read || context_.failsafe.aside()) return;
   context_.protect([&] {
-    if (isPicture(context_.real, region)) context_.relighting.finish(Relighting::Place::read);
+    isPicture_ = isPicture(context_.real, region_);
+    if (isPicture_) context_.relighting.finish(Relighting::Place::read);
   });
   if (context_.shadow.settings.changesImage() && !context_.clock.passesThrough() &&
       !context_.clock.animates())
-    bind(region);
+    bind();
 }
 
-void FinishedRead::bind(const scene::Region& region) noexcept {
+void FinishedRead::bind() noexcept {
   context_.protect([&] {
-    const PresentResult result = context_.pending.presenter.reader().bindFinished(context_.real, region);
+    const PresentResult result = context_.pending.presenter.reader().bindFinished(context_.real, region_);
     context_.pending.takeResult(result, true);
     bound_ = result.outcome == PresentResult::traced;
   });
 }
 
 void FinishedRead::unbind() noexcept { context_.pending.presenter.reader().unbindFinished(context_.real); }
+
+void FinishedRead::pictureRead() noexcept {
+  const ContextInfo& info = context_.shadow.info;
+  if (info.pictureRead) context_.protect([&] { info.pictureRead(region_); });
+}
 
 void pictureCopied(Context& c) {
   c.protect([&] { c.relighting.finish(Relighting::Place::read); });

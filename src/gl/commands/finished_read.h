@@ -8,22 +8,27 @@ namespace gluray::gl {
 
 class FinishedRead {
  public:
-  FinishedRead(Context& context, const scene::Region& region, GLenum format) noexcept : context_(context) {
-    begin(region, format);
+  FinishedRead(Context& context, const scene::Region& region, GLenum format) noexcept
+      : context_(context), region_(region) {
+    begin(format);
   }
   ~FinishedRead() {
+    if (isPicture_) [[unlikely]]
+      pictureRead();
     if (bound_) unbind();
   }
   FinishedRead(const FinishedRead&) = delete;
   FinishedRead& operator=(const FinishedRead&) = delete;
 
  private:
-  void begin(const scene::Region& region, GLenum format) noexcept;
-  void bind(const scene::Region& region) noexcept;
+  void begin(GLenum format) noexcept;
+  void bind() noexcept;
   void unbind() noexcept;
+  void pictureRead() noexcept;
 
   Context& context_;
-  bool bound_ = false;
+  const scene::Region region_;
+  bool bound_ = false, isPicture_ = false;
 };
 
 }  // namespace gluray::gl

@@ -76,6 +76,10 @@ void DrawnObjects::placed(const std::vector<glm::ivec4>& places) {
   if (asked_ && places_.size() < kMaxPlaces) places_.insert(places_.end(), places.begin(), places.end());
 }
 
+ShownFramePtr DrawnObjects::now() const {
+  return std::make_shared<const ShownFrame>(ShownFrame{0, batches_, places_});
+}
+
 void DrawnObjects::publish(uint64_t frame) noexcept {
   try {
     shownFrames().show(this, std::make_shared<const ShownFrame>(ShownFrame{frame, batches_, places_}));

@@ -41,6 +41,8 @@ class DrawnObjects {
   /// Reports that a frame was shown, and that the window's contents are now undefined. `frame`: its number in
   /// SettingsSource.
   void shown(uint64_t frame) noexcept;
+  /// What framebuffers show now, since frames were requested. Throws std::bad_alloc.
+  ShownFramePtr now() const;
   /// Whether calls of colorCleared() and depthCleared() have no effect.
   bool empty() const { return !numbers_ && batches_.empty(); }
 

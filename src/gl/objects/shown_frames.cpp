@@ -11,7 +11,7 @@ namespace gluray::gl {
 
 void ShownFrames::wantUntil(double when) noexcept {
   until_ = when;
-  if (when > 0) return;
+  if (when > 0 || always_) return;
   std::vector<Entry> forgotten;  // freed without the lock
   const std::lock_guard lock(mutex_);
   forgotten.swap(entries_);
@@ -19,7 +19,7 @@ void ShownFrames::wantUntil(double when) noexcept {
 
 void ShownFrames::show(const void* context, ShownFramePtr frame) noexcept {
   const std::lock_guard lock(mutex_);
-  if (until_ <= 0) return;
+  if (until_ <= 0 && !always_) return;
   const auto of = [&](const Entry& entry) { return entry.context == context; };
   const auto known = std::find_if(entries_.begin(), entries_.end(), of);
   try {

@@ -41,9 +41,11 @@ class ShownFrames {
  public:
   /// Stores frames until time `when` of nowSeconds(). 0: stores none and forgets stored ones.
   void wantUntil(double when) noexcept;
+  /// Stores frames whatever wantUntil() says.
+  void wantAlways(bool always) noexcept { always_ = always; }
   bool wanted() const noexcept {
     const double until = until_.load(std::memory_order_relaxed);
-    return until > 0 && nowSeconds() < until;
+    return (until > 0 && nowSeconds() < until) || always_.load(std::memory_order_relaxed);
   }
   /// Call when a context has shown a frame; in a context that never swaps, when it has traced a batch.
   /// Replaces the context's last frame. `context` is any key that identifies the context.
@@ -71,6 +73,7 @@ class ShownFrames {
   };
   static constexpr double kSettles = 0.1;  // seconds without another batch until a frame counts as complete
   std::atomic<double> until_{0};
+  std::atomic<bool> always_{false};
   mutable std::mutex mutex_;
   std::vector<Entry> entries_;  // the last shown one is at the end
 };

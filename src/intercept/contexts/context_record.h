@@ -2,6 +2,7 @@
 // context when frames end (frames/).
 #pragma once
 #include "gl/context/context.h"
+#include "intercept/contexts/captured_pixels.h"
 #include "intercept/contexts/contexts.h"
 #include "intercept/hud/hud.h"
 #include "intercept/present/read_back/frame_image.h"
@@ -28,6 +29,7 @@ struct Record {
   std::unique_ptr<present::FrameImage> image;  // if images are requested; must outlive the context
   std::unique_ptr<Hud> hud;                    // if requested
   std::optional<present::Features> features;   // read when an image is kept for the first time
+  std::unique_ptr<CapturedPixels> captured;    // of a frame that is about to be shown, if it is wanted
   std::unique_ptr<Lag> lag;                    // if frames may lag
   WindowOfContext window;
   IdleWindowOfContext idle;

@@ -1,5 +1,6 @@
 #include "intercept/frames/direct_swap.h"
 
+#include "intercept/capture/capture.h"
 #include "intercept/contexts/context_record.h"
 #include "intercept/session/guarded.h"
 #include "intercept/session/session.h"
@@ -50,7 +51,7 @@ void noteEmptySwap(_XDisplay* display, uintptr_t drawable, Record& record) {
 
 bool shownDirectly(_XDisplay* display, uintptr_t drawable, RealSwap swap) noexcept {
   bool shown = false;
-  if (session().picture || session().hud) return false;
+  if (session().picture || session().hud || capturing()) return false;
   Record* const record = current().record.get();
   if (!record || !record->context || record->context.get() != gl::t_thread.context ||
       current().drawables.draw != drawable || current().drawables.read != drawable ||

@@ -4,6 +4,7 @@
 #include "base/log.h"
 #include "base/never_destroyed.h"
 #include "base/timeline.h"
+#include "intercept/capture/capture.h"
 #include "intercept/contexts/context_record.h"
 #include "intercept/contexts/frame_count.h"
 #include "intercept/control/link.h"
@@ -18,6 +19,7 @@ namespace gluray::intercept {
 namespace {
 
 void endFrame() noexcept {
+  captureShown();
   countFrame();
   writeReportIfDue();
 }
@@ -51,11 +53,14 @@ void drawHud(Record& record) {
 class Watcher final : public ContextWatcher {
  public:
   void making(Record& record, gl::ContextInfo& info) override {
-    if (!session().reportFile.empty()) info.frameEnded = endFrame;
+    if (!session().reportFile.empty() || capturing()) info.frameEnded = endFrame;
+    if (capturing())
+      info.pictureRead = [&record](const scene::Region& region) { captureRead(record, region); };
     const bool images = session().explainFrames && session().picture;
     const bool es = record.version.starts_with("OpenGL ES");
-    if (!es && (images || mayBeControlled()))
+    if (!es && (images || mayBeControlled() || capturing()))
       info.frameEnding = [&record] {
+        captureShowing(record, GL_FRONT);
         takeImage(record, GL_FRONT);
         keepBuffer(record, GL_FRONT, ShownFrame::now);
       };
@@ -81,10 +86,11 @@ void swapping(uintptr_t drawable) noexcept {
       gl::t_thread.context->passthrough.stopMeasuring();
   });
   const bool wanted = wantedImage() != control::Wanted::none;
-  if (!session().picture && !session().hud && !wanted) return;
+  if (!session().picture && !session().hud && !wanted && !capturing()) return;
   if (!current().record || current().drawables.draw != drawable || !current().record->context ||
       !current().record->context->info().doubleBuffered)
     return;
+  captureShowing(*current().record, GL_BACK);
   guarded("cannot take an image", [&] {
     if (session().picture) takeImage(*current().record, GL_BACK);
   });
@@ -99,7 +105,7 @@ void swapped(uintptr_t drawable) noexcept {
     gl::Context* context = gl::t_thread.context;
     // Without a back buffer a swap shows nothing new: glFlush and glFinish end frames there.
     if (context && current().drawables.draw == drawable && context->info().doubleBuffered)
-      context->frames.afterSwap(), countFrame(), timeline::mark("frame");
+      context->frames.afterSwap(), captureShown(), countFrame(), timeline::mark("frame");
   });
   noteSwap();
   writeReportIfDue();

@@ -1,5 +1,6 @@
 #include "intercept/frames/idle_refinement.h"
 
+#include "intercept/capture/capture.h"
 #include "intercept/contexts/context_record.h"
 #include "intercept/session/guarded.h"
 
@@ -7,7 +8,7 @@ namespace gluray::intercept {
 
 void refineShown(_XDisplay* display, uintptr_t drawable) noexcept {
   const std::shared_ptr<Record>& record = current().record;
-  if (!record || !record->context || record->context.get() != gl::t_thread.context ||
+  if (capturing() || !record || !record->context || record->context.get() != gl::t_thread.context ||
       current().drawables.draw != drawable || !record->context->info().doubleBuffered)
     return;
   guarded("cannot refine a window", [&] {  // constructing the function below may throw

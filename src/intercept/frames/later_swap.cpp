@@ -1,6 +1,7 @@
 #include "intercept/frames/later_swap.h"
 
 #include "base/clock.h"
+#include "intercept/capture/capture.h"
 #include "intercept/contexts/context_record.h"
 #include "intercept/frames/kept_buffer.h"
 #include "intercept/session/guarded.h"
@@ -20,7 +21,7 @@ bool mayLag(XId drawable) {
   return session().lag != LagMode::off && !neverLags() && record && record->context &&
          gl::t_thread.context == record->context.get() && current().drawables.draw == drawable &&
          current().drawables.read == drawable && record->context->info().doubleBuffered &&
-         !session().picture && wantedImage() != control::Wanted::next;
+         !session().picture && !capturing() && wantedImage() != control::Wanted::next;
 }
 
 LagRefusal lagged(Record& record, _XDisplay* display, XId drawable, RealSwap swap) {

@@ -3,8 +3,10 @@
 #include "saved/shot/shot.h"
 #include "settings/values.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -20,13 +22,21 @@ Fit fitOf(const std::string& word) {
   throw std::runtime_error("fit: use all, crop or stretch");
 }
 
-/// Changes settings of all batches.
-void change(SavedScene& scene, std::span<const char* const> settings) {
-  for (SavedBatch& batch : scene.batches) {
-    auto changed = std::make_shared<scene::Snapshot>(*batch.snapshot);
+/// Smooth edges in pictures of other sizes than the window's, unless the user chose the samples.
+constexpr int kEdgeSamples = 4;
+
+bool choosesSamples(std::span<const char* const> settings) {
+  return std::any_of(settings.begin(), settings.end(),
+                     [](std::string_view text) { return text.starts_with("spp="); });
+}
+
+/// Settings with other values; empty: the same. Throws if they cannot be read.
+std::function<Settings(const Settings&)> changed(std::span<const char* const> values) {
+  if (values.empty()) return {};
+  return [values](const Settings& settings) {
     Session session;
-    session.settings = changed->settings;
-    for (const std::string_view text : settings) {
+    session.settings = settings;
+    for (const std::string_view text : values) {
       const size_t equals = text.find('=');
       const std::string name(text.substr(0, equals));
       const Row* const row = findSetting(name);
@@ -35,9 +45,8 @@ void change(SavedScene& scene, std::span<const char* const> settings) {
           readValue(*row, equals == std::string_view::npos ? "" : text.substr(equals + 1), session);
       if (!why.empty()) throw std::runtime_error(name + ": " + why);
     }
-    changed->settings = session.settings;
-    batch.snapshot = std::move(changed);
-  }
+    return session.settings;
+  };
 }
 
 /// One picture. False: the sink has ended it.
@@ -58,12 +67,14 @@ bool render(const GlurayRenderRequest& request, const GlurayRenderSink& sink) {
   if (request.version != kGlurayRenderVersion)
     throw std::runtime_error("install GLuRay again: its library is of another version");
   SavedScene scene = readScene(request.scene);
-  change(scene, {request.settings, static_cast<size_t>(request.settingCount)});
+  const std::span settings(request.settings, static_cast<size_t>(request.settingCount));
   const std::string facts = scene.facts.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   ShotOptions options{.size = {request.width, request.height},
                       .fit = fitOf(request.fit),
                       .transparent = request.transparent != 0,
-                      .overlays = request.overlays != 0};
+                      .overlays = request.overlays != 0,
+                      .settings = changed(settings),
+                      .edgeSamples = choosesSamples(settings) ? 1 : kEdgeSamples};
   frame::Renderer renderer;  // keeps the structures of meshes from picture to picture
   for (int picture = request.firstPicture; picture < request.pictures; ++picture) {
     options.turn = 360.0 * picture / request.pictures;

@@ -1,5 +1,7 @@
 #include "saved/shot/plate.h"
 
+#include "scene/premultiplied.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,13 +11,15 @@ namespace gluray::saved {
 namespace {
 
 constexpr uint32_t kOpaque = 0xff000000u;
-constexpr int kAlike = 24;  // difference of channels, 0 .. 255: noise and antialiasing change less
+// Differences of channels, 0 .. 255.
+constexpr int kAlike = 24;    // noise changes less
+constexpr int kRounding = 1;  // of means of a framebuffer's samples
 
 int channelOf(uint32_t color, int channel) { return static_cast<int>(color >> (8 * channel) & 255u); }
 
 bool areAlike(uint32_t a, uint32_t b) {
   for (int c = 0; c < 3; ++c)
-    if (std::abs(channelOf(a, c) - channelOf(b, c)) > kAlike) return false;
+    if (std::abs(channelOf(a, c) - channelOf(b, c)) > kRounding) return false;
   return true;
 }
 
@@ -40,17 +44,66 @@ uint32_t sampled(const std::vector<uint32_t>& pixels, int width, int height, con
 
 }  // namespace
 
-Plate::Plate(const SavedPicture& shown, const std::vector<uint32_t>& traced)
-    : width_(shown.width), height_(shown.height), background_(shown.pixels), overlay_(traced.size()) {
+Plate::Plate(const SavedPicture& shown, const std::vector<uint32_t>& traced, bool exact)
+    : width_(shown.width), height_(shown.height), shown_(shown.pixels), overlay_(traced.size()) {
   isBackground_.resize(traced.size());
   for (size_t i = 0; i < traced.size(); ++i) {
-    const uint32_t alpha = traced[i] >> 24;
-    background_[i] |= kOpaque;
-    isBackground_[i] = alpha == 0;
-    if (alpha == 255 && !areAlike(traced[i], shown.pixels[i]))
-      overlay_[i] = shown.pixels[i] | kOpaque, ++overlays_;
+    shown_[i] |= kOpaque;
+    isBackground_[i] = traced[i] >> 24 == 0;
   }
-  fillBehind(isBackground_);
+  background_ = shown_;
+  fillBehind(awayFromSurfaces());
+  size_t i = 0;
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x, ++i)
+      if (isOverlay(traced, {x, y}, exact)) overlay_[i] = shown_[i], ++overlays_;
+}
+
+/// Whether the window shows something else than the surface at a pixel.
+bool Plate::isOverlay(const std::vector<uint32_t>& traced, glm::ivec2 pixel, bool exact) const {
+  const size_t at = indexOf(pixel);
+  const uint32_t shown = shown_[at];
+  if (isBackground_[at] || areAlike(shown, scene::blended(traced[at], background_[at]))) return false;
+  if (exact) return true;
+  if (traced[at] >> 24 != 255) return false;  // an edge
+  const glm::ivec2 low = glm::max(pixel - 1, 0), high = glm::min(pixel + 1, glm::ivec2(width_, height_) - 1);
+  for (int c = 0; c < 3; ++c) {
+    int least = 255, most = 0;
+    for (int y = low.y; y <= high.y; ++y)
+      for (int x = low.x; x <= high.x; ++x) {
+        const size_t i = indexOf({x, y});
+        const int value = channelOf(isBackground_[i] ? shown_[i] : traced[i], c);
+        least = std::min(least, value), most = std::max(most, value);
+      }
+    const int value = channelOf(shown, c);
+    if (value < least - kAlike || value > most + kAlike) return true;
+  }
+  return false;
+}
+
+/// Pixels whose neighbours show no surface either.
+std::vector<uint8_t> Plate::awayFromSurfaces() const {
+  std::vector<uint8_t> away(isBackground_.size());
+  const auto isFree = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= width_ || y >= height_) return true;
+    return isBackground_[indexOf({x, y})] != 0;
+  };
+  const auto rowFree = [&](int x, int y) { return isFree(x - 1, y) && isFree(x, y) && isFree(x + 1, y); };
+  size_t i = 0;
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) away[i++] = rowFree(x, y - 1) && rowFree(x, y) && rowFree(x, y + 1);
+  return away;
+}
+
+uint32_t Plate::roundedAsShown(glm::ivec2 pixel, uint32_t color) const {
+  if (empty()) return color;
+  const uint32_t shown = shown_[indexOf(pixel)];
+  return areAlike(shown, color) ? shown : color;
+}
+
+uint32_t Plate::windowBackgroundAt(glm::ivec2 pixel) const {
+  const size_t i = indexOf(pixel);
+  return isBackground_[i] ? shown_[i] : background_[i];
 }
 
 /// Gives unknown pixels the colour of the nearest known one, ring by ring.

@@ -14,6 +14,9 @@ namespace {
 
 using Of = scene::Layers::Of;
 
+// Numbers of views: one exposure holds for all bands, and all turns, of a picture.
+constexpr uint64_t kPicture = 1, kProgram = 2;
+
 constexpr int kRowUnit = 32;      // rows of tiles
 constexpr int kFilterReach = 32;  // pixels around a band that change its filtered light
 
@@ -22,6 +25,9 @@ bool isEmpty(const scene::Region& r) { return r.width <= 0 || r.height <= 0; }
 bool isFiltered(const scene::Snapshot& s) {
   return scene::wantsLight(s.settings) && s.settings.denoise != Denoise::off;
 }
+
+/// Whether frames of a moving window may show other colours.
+bool isNoisy(const scene::Snapshot& s) { return scene::wantsLight(s.settings) || s.settings.spp > 1; }
 
 }  // namespace
 
@@ -65,15 +71,24 @@ void Shot::look() {
       note("a pass that writes some colour channels only is left out");
     return s.catches || !s.colorWrites.all() || s.instances.empty();
   });
-  if (scene_.batches.empty()) throw std::runtime_error("it shows no traced surface");
+  if (scene_.batches.empty() && (!knowsWindow() || options_.transparent))
+    throw std::runtime_error("it shows no traced surface");
+  if (scene_.batches.empty()) note("no surface is traced: the picture is made from the window's pixels");
+  batches_ = scene_.batches;
+  for (SavedBatch& batch : batches_) {
+    if (!options_.settings) break;
+    auto changed = std::make_shared<scene::Snapshot>(*batch.snapshot);
+    changed->settings = options_.settings(changed->settings);
+    batch.snapshot = std::move(changed);
+  }
   if (options_.turn == 0) {
-    for (const SavedBatch& batch : scene_.batches) place(batch);
+    for (const SavedBatch& batch : batches_) place(batch);
   } else {
     std::vector<scene::SnapshotPtr> views;
-    for (const SavedBatch& batch : scene_.batches) views.push_back(batch.snapshot);
+    for (const SavedBatch& batch : batches_) views.push_back(batch.snapshot);
     views = turned(views, options_.turn);
     for (size_t i = 0; i < views.size(); ++i) {
-      SavedBatch batch = scene_.batches[i];
+      SavedBatch batch = batches_[i];
       batch.snapshot = views[i];
       place(batch);
     }
@@ -82,10 +97,12 @@ void Shot::look() {
 }
 
 /// The batch as a picture of this frame shows it.
-Shot::Placed Shot::placedIn(const ShotFrame& frame, const SavedBatch& batch) {
+Shot::Placed Shot::placedIn(const ShotFrame& frame, const SavedBatch& batch) const {
   Placed placed;
   placed.snapshot = frame.placed(batch);
-  placed.snapshot.viewFrame = 1;  // so that one exposure holds for all bands, and all turns
+  int& samples = placed.snapshot.settings.spp;
+  if (!frame.isWindow()) samples = std::max(samples, options_.edgeSamples);
+  placed.snapshot.viewFrame = kPicture;
   placed.snapshot.settings.refine.progress = false;
   placed.test = {.strict = batch.strict, .largestWins = placed.snapshot.camera.largestWins};
   for (const scene::Region& box : batch.cleared) {
@@ -103,16 +120,16 @@ void Shot::place(const SavedBatch& batch) {
   if (isFiltered(placed.snapshot)) margin_ = kFilterReach;
 }
 
-/// Traces what the window showed: finds the background, what was drawn over surfaces, and the exposures.
-void Shot::lookAtWindow() {
-  const bool knowsWindow = scene_.shown.width == scene_.window.x && scene_.shown.height == scene_.window.y;
-  const bool wantsPlate = knowsWindow && !options_.transparent;
-  if (frame_->isWindow() && !wantsPlate && bands() == 1 && options_.turn == 0) return;
+/// What the window shows of these batches, which may have the settings of the program or of the picture.
+Canvas Shot::windowOf(const std::vector<SavedBatch>& batches, uint64_t view) {
   const ShotFrame window(scene_.window, scene_.window, Fit::all);
   const scene::Region all{0, 0, scene_.window.x, scene_.window.y};
-  Canvas canvas(all, samples_);
-  for (size_t i = 0; i < placed_.size(); ++i) {
-    Placed placed = placedIn(window, scene_.batches[i]);
+  int samples = 1;
+  for (const SavedBatch& batch : batches) samples = std::max(samples, batch.snapshot->samples);
+  Canvas canvas(all, samples);
+  for (size_t i = 0; i < batches.size(); ++i) {
+    Placed placed = placedIn(window, batches[i]);
+    placed.snapshot.viewFrame = view;
     const auto& layers = placed.snapshot.layers;
     if (layers && layers->of != Of::drawn && options_.turn == 0) {
       placed_[i].window = placed.snapshot.region;
@@ -123,8 +140,23 @@ void Shot::lookAtWindow() {
     }
     draw(placed, all, canvas);
   }
+  return canvas;
+}
+
+/// Traces what the window showed: finds the background, what was drawn over surfaces, and the exposures.
+void Shot::lookAtWindow() {
+  const bool wantsPlate = knowsWindow() && !options_.transparent;
+  if (frame_->isWindow() && !wantsPlate && bands() == 1 && options_.turn == 0) return;
+  const bool isSame = !options_.settings;
+  const bool exposes = std::any_of(batches_.begin(), batches_.end(), [](const SavedBatch& batch) {
+    return batch.snapshot->settings.autoExposure;
+  });
+  if (!wantsPlate || (!isSame && exposes)) windowOf(batches_, kPicture);
   if (!wantsPlate) return;
-  plate_ = Plate(scene_.shown, canvas.colors());
+  const Canvas shown = windowOf(scene_.batches, isSame ? kPicture : kProgram);
+  const bool noisy = std::any_of(scene_.batches.begin(), scene_.batches.end(),
+                                 [](const SavedBatch& batch) { return isNoisy(*batch.snapshot); });
+  plate_ = Plate(scene_.shown, shown.colors(), showsWindow() && isSame && !noisy);
   if (!options_.overlays || options_.turn != 0)
     plate_.clearBackground();
   else if (!frame_->isWindow())
@@ -186,7 +218,9 @@ std::vector<uint32_t> Shot::behind(const scene::Region& band) const {
   colors.reserve(static_cast<size_t>(band.width) * static_cast<size_t>(band.height));
   for (int y = 0; y < band.height; ++y)
     for (int x = 0; x < band.width; ++x)
-      colors.push_back(plate_.backgroundAt(frame_->windowOf({band.x + x + 0.5, band.y + y + 0.5})));
+      colors.push_back(showsWindow()
+                           ? plate_.windowBackgroundAt({band.x + x, band.y + y})
+                           : plate_.backgroundAt(frame_->windowOf({band.x + x + 0.5, band.y + y + 0.5})));
   return colors;
 }
 
@@ -205,7 +239,8 @@ std::vector<uint32_t> Shot::band(int number) {
       const uint32_t color =
           colors[static_cast<size_t>(y - band.y) * static_cast<size_t>(all.x) + static_cast<size_t>(x)];
       const uint32_t over = plate_.hasOverlays() ? plate_.overlayAt(frame_->windowOf({x + 0.5, y + 0.5})) : 0;
-      rows.push_back(over ? scene::blended(over, color) : color);
+      const uint32_t pixel = over ? scene::blended(over, color) : color;
+      rows.push_back(showsWindow() ? plate_.roundedAsShown({x, y}, pixel) : pixel);
     }
   return rows;
 }

@@ -21,12 +21,15 @@ struct ShotOptions {
   bool transparent = false;  // the background
   bool overlays = true;      // text, axes and widgets that the program drew
   double turn = 0;           // degrees by which the camera goes around the scene: then without overlays
+  /// The settings of the picture, from those that the program had; empty: the same.
+  std::function<Settings(const Settings&)> settings;
+  int edgeSamples = 1;       // per pixel, at least, in pictures of other sizes than the window's
   int bandPixels = 1 << 21;  // traced together; some 68 bytes each while light is refined
 };
 
 class Shot {
  public:
-  /// The scene's snapshots have the wanted settings. Throws std::runtime_error with one line if no picture
+  /// Throws std::runtime_error with one line if no picture
   /// can be made.
   Shot(SavedScene scene, const ShotOptions& options, frame::Renderer& renderer);
   ~Shot();
@@ -46,15 +49,22 @@ class Shot {
  private:
   struct Placed;
   void look();
-  static Placed placedIn(const ShotFrame& frame, const SavedBatch& batch);
+  Placed placedIn(const ShotFrame& frame, const SavedBatch& batch) const;
   void place(const SavedBatch& batch);
   void lookAtWindow();
+  Canvas windowOf(const std::vector<SavedBatch>& batches, uint64_t view);
   void draw(Placed& placed, const scene::Region& band, Canvas& canvas) const;
   scene::Snapshot partOf(const Placed& placed, const scene::Region& part, const Canvas& canvas) const;
   std::vector<uint32_t> behind(const scene::Region& band) const;
   void note(const std::string& text);
+  bool knowsWindow() const {
+    return scene_.shown.width == scene_.window.x && scene_.shown.height == scene_.window.y;
+  }
+  /// Whether the picture is what the window shows, pixel for pixel.
+  bool showsWindow() const { return frame_->isWindow() && options_.turn == 0 && options_.overlays; }
 
   SavedScene scene_;
+  std::vector<SavedBatch> batches_;  // those of the scene with the settings of the picture
   ShotOptions options_;
   std::unique_ptr<ShotFrame> frame_;
   frame::Renderer& renderer_;

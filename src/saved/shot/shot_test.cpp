@@ -106,6 +106,26 @@ TEST(Shot, KeepsWhatWasDrawnOverSurfaces) {
   EXPECT_NE(pictureOf(scene, without)[16 * 2 * kSide + 40], 0xff00ffff);
 }
 
+TEST(Shot, KeepsThemWhateverItsOwnSettings) {
+  scene::Snapshot s = balls(kSide), dark = s;
+  s.settings.ao.enabled = false;
+  dark.settings = s.settings, dark.settings.exposure = -2;
+  SavedScene scene = sceneOf(s);
+  scene.shown = {kSide, kSide, shownBy(s)};
+  std::vector<uint32_t> wanted = shownBy(dark);
+  ASSERT_NE(wanted, scene.shown.pixels);
+  for (int y = 4; y < 12; ++y)
+    for (size_t x = 8; x < 40; ++x) {
+      const size_t i = static_cast<size_t>(y) * kSide + x;
+      wanted[i] = scene.shown.pixels[i] = 0xff00ffff;
+    }
+  const auto darker = [](Settings settings) {
+    settings.exposure = -2;
+    return settings;
+  };
+  EXPECT_EQ(pictureOf(scene, {.settings = darker}), wanted);
+}
+
 TEST(Shot, DrawsLayersOverWhatIsOpaque) {
   scene::Snapshot opaque = balls(kSide), glass = layered(balls(kSide, Floor::none));
   opaque.settings.ao.enabled = glass.settings.ao.enabled = false;
@@ -153,6 +173,26 @@ TEST(Shot, ForgetsDepthsThatWereCleared) {
   EXPECT_TRUE(std::equal(cleared.begin(), cleared.begin() + kSide * kSide / 2, blue.begin()));
   EXPECT_TRUE(
       std::equal(cleared.begin() + kSide * kSide / 2, cleared.end(), hidden.begin() + kSide * kSide / 2));
+}
+
+TEST(Shot, OfAWindowWithoutTracedSurfacesIsTheWindows) {
+  SavedScene scene;
+  scene.window = {4, 3};
+  scene.shown = {4, 3, std::vector<uint32_t>(12, 0xff102030)};
+  scene.shown.pixels[5] = 0xffffffff;
+  EXPECT_EQ(pictureOf(scene), scene.shown.pixels);
+  EXPECT_EQ(pictureOf(scene, {.size = {8, 6}}).size(), 48u);
+  EXPECT_THROW(pictureOf(scene, {.transparent = true}), std::runtime_error);
+}
+
+TEST(Shot, OfALargerSizeHasSmoothEdges) {
+  scene::Snapshot s = balls(kSide, Floor::none);
+  s.settings.ao.enabled = false;
+  const ShotOptions twice{.size = {2 * kSide, 2 * kSide}, .edgeSamples = 4};
+  scene::Snapshot wanted = withSize(s, 2 * kSide, 2 * kSide);
+  wanted.settings.spp = 4;
+  EXPECT_EQ(pictureOf(sceneOf(s), twice), shownBy(wanted, 0));
+  EXPECT_EQ(pictureOf(sceneOf(s), {.edgeSamples = 4}), shownBy(s, 0)) << "in the window's size";
 }
 
 TEST(Shot, RefusesWhatCannotBe) {

@@ -21,17 +21,33 @@ bool readWindow(const gl::RealGl& real, const Features& features, glm::ivec2 siz
   return takeErrors(real).empty();
 }
 
-GLenum readColors(const gl::RealGl& real, const Features& features, glm::ivec2 size, GLenum buffer,
-                  std::span<uint32_t> out, bool& read) {
+namespace {
+
+/// Reads from the framebuffer that choose(guard) binds.
+template <class Choose>
+GLenum readColorsOf(const gl::RealGl& real, const Features& features, glm::ivec2 size,
+                    std::span<uint32_t> out, bool& read, const Choose& choose) {
   const PendingErrors pending = takeErrors(real);
   {
     StateGuard guard(real, features);
     guard.plainPack();
-    guard.readFrom(0, buffer);
+    choose(guard);
     real.ReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
   }
   read = takeErrors(real).empty();
   return pending.empty() ? GLenum{GL_NO_ERROR} : pending.front();
+}
+
+}  // namespace
+
+GLenum readColors(const gl::RealGl& real, const Features& features, glm::ivec2 size, GLenum buffer,
+                  std::span<uint32_t> out, bool& read) {
+  return readColorsOf(real, features, size, out, read, [&](StateGuard& guard) { guard.readFrom(0, buffer); });
+}
+
+GLenum readBoundColors(const gl::RealGl& real, const Features& features, glm::ivec2 size,
+                       std::span<uint32_t> out, bool& read) {
+  return readColorsOf(real, features, size, out, read, [](StateGuard&) {});
 }
 
 void clearWindow(const gl::RealGl& real, const Features& features, const gl::WindowClear& clear) {

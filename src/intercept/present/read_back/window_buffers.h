@@ -22,6 +22,10 @@ bool readWindow(const gl::RealGl& real, const Features& features, glm::ivec2 siz
 GLenum readColors(const gl::RealGl& real, const Features& features, glm::ivec2 size, GLenum buffer,
                   std::span<uint32_t> out, bool& read);
 
+/// The same from the bound read framebuffer and its read buffer.
+GLenum readBoundColors(const gl::RealGl& real, const Features& features, glm::ivec2 size,
+                       std::span<uint32_t> out, bool& read);
+
 /// Clears the window's whole back buffer. Restores all state.
 void clearWindow(const gl::RealGl& real, const Features& features, const gl::WindowClear& clear);
 

@@ -1,0 +1,107 @@
+#include "capture/shot_options.h"
+
+#include "base/printable.h"
+#include "control/images/film_plan.h"
+#include "pictures/export.h"
+#include "settings/setting_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <stdexcept>
+#include <string_view>
+
+namespace gluray::launcher {
+namespace {
+
+constexpr std::string_view kPicture = ".png", kScene = ".gluray";
+
+template <class Number>
+bool readAll(std::string_view text, Number& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+bool isCount(std::string_view text) {
+  uint64_t count = 0;
+  return readAll(text, count) && count > 0;
+}
+
+std::string endingOf(const std::string& file) {
+  const size_t dot = file.rfind('.');
+  return dot == file.npos || dot < file.rfind('/') + 1 ? "" : file.substr(dot);
+}
+
+/// Numbered names of any ending.
+std::string readNumberedName(const std::string& file, FilmName& name) {
+  const std::string ending = endingOf(file);
+  const std::string why =
+      readFilmName(file.substr(0, file.size() - ending.size()) + std::string(kPicture), name);
+  name.after.replace(name.after.size() - std::min(name.after.size(), kPicture.size()), kPicture.size(),
+                     ending);
+  return why;
+}
+
+}  // namespace
+
+std::string planOf(const std::string& when) {
+  const std::string_view text = when;
+  if (when == "idle") return when;
+  if (when == "every") return "every:1";
+  if (when.starts_with("every:") && isCount(text.substr(6))) return when;
+  if (isCount(text)) return "frame:" + when;
+  double seconds = 0;
+  if (text.ends_with('s') && readAll(text.substr(0, text.size() - 1), seconds) && seconds >= 0)
+    return "seconds:" + when.substr(0, when.size() - 1);
+  throw std::runtime_error(
+      "--shot-at " + when +
+      ": use a frame's number such as 100, a time such as 2.5s, idle, every or every:10");
+}
+
+std::string fileOfShot(const ShotOptions& options, int number) {
+  if (!options.isSequence()) return options.file;
+  FilmName name;
+  if (const std::string why = readNumberedName(options.file, name); !why.empty())
+    throw std::runtime_error(why);
+  return name.file(number);
+}
+
+std::string problemOf(const ShotOptions& options) {
+  if (options.file.empty()) {
+    if (options.when == "idle" && !options.quit && options.settings.empty()) return "";
+    return "--shot-at, --shot-set and --quit need --shot FILE";
+  }
+  const std::string ending = endingOf(options.file);
+  const bool hasName = options.file.size() > options.file.rfind('/') + 1 + ending.size();
+  if (!hasName || (ending != kPicture && ending != kScene && !isOtherForm(options.file)))
+    return printable(options.file) + ": use a name that ends in .png, .gluray, .glb, .obj or .ply";
+  if (options.quit && options.isSequence()) return "--quit: a sequence of pictures ends with the program";
+  for (const std::string& pair : options.settings)
+    if (std::string why = problemOfPair(pair); !why.empty()) return why;
+  try {
+    planOf(options.when);
+    fileOfShot(options, 1);
+  } catch (const std::runtime_error& e) { return e.what(); }
+  return "";
+}
+
+void addShotOptions(CLI::App& app, ShotOptions& options) {
+  app.add_option(
+         "--shot", options.file,
+         "Make a picture (.png) of what the program shows, or save it as a scene (.gluray, .glb, .obj,\n"
+         ".ply); of a sequence: a pattern such as step-%04d.png")
+      ->type_name("FILE");
+  app.add_option(
+         "--shot-at", options.when,
+         "When: a frame's number, a time such as 2.5s, idle (the program is at rest, or ends), every\n"
+         "frame, or every:K, each k-th frame. Of programs without a window, pictures that they read\n"
+         "count as frames")
+      ->type_name("WHEN")
+      ->capture_default_str();
+  app.add_option("--shot-set", options.settings, "A setting of the pictures alone, such as quality=final")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  app.add_flag("--quit", options.quit, "End the program when its picture is taken");
+}
+
+}  // namespace gluray::launcher
