@@ -2,7 +2,7 @@
 
 #include "base/printable.h"
 #include "control/images/film_plan.h"
-#include "pictures/export.h"
+#include "pictures/picture_options.h"
 #include "settings/setting_options.h"
 
 #include <CLI/CLI.hpp>

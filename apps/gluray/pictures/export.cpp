@@ -39,13 +39,6 @@ void keepNote(void* user, const char* line) {
 
 }  // namespace
 
-bool isOtherForm(const std::string& file) {
-  constexpr std::array<const char*, 3> kEndings = {".glb", ".obj", ".ply"};
-  return std::any_of(kEndings.begin(), kEndings.end(), [&](const std::string& ending) {
-    return file.size() > ending.size() && file.ends_with(ending);
-  });
-}
-
 std::vector<std::string> exportScene(const std::string& scene, const std::string& file) {
   std::vector<std::string> notes;
   const GlurayExportRequest request{.version = kGlurayRenderVersion,

@@ -7,9 +7,6 @@
 
 namespace gluray::launcher {
 
-/// Whether the ending of the file's name is that of another program's form: .glb, .obj, .ply.
-bool isOtherForm(const std::string& file);
-
 /// Writes the scene in the form that the ending of `file` says. Returns a line for each kind of thing that
 /// was left out or approximated. Throws std::runtime_error with one line; then a file of that name stays as
 /// it was.

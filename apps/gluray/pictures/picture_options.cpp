@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace gluray::launcher {
@@ -23,6 +25,13 @@ std::string readSize(const std::string& text, int& width, int& height) {
   if (read && inRange(width) && inRange(height)) return "";
   return "--size " + text + ": use WIDTHxHEIGHT in pixels, each 1 to " + std::to_string(kLargestSide) +
          ", such as 3840x2160";
+}
+
+bool isOtherForm(const std::string& file) {
+  constexpr std::array<const char*, 3> kEndings = {".glb", ".obj", ".ply"};
+  return std::any_of(kEndings.begin(), kEndings.end(), [&](const std::string& ending) {
+    return file.size() > ending.size() && file.ends_with(ending);
+  });
 }
 
 void addPictureOptions(CLI::App& app, PictureOptions& options) {

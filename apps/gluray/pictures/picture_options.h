@@ -26,6 +26,9 @@ void addPictureOptions(CLI::App& app, PictureOptions& options);
 /// Adds --restart.
 void addRestartOption(CLI::App& app, PictureOptions& options);
 
+/// Whether the ending of the file's name is that of another program's form: .glb, .obj, .ply.
+bool isOtherForm(const std::string& file);
+
 /// Reads "WIDTHxHEIGHT". Empty, or one line that says what is wrong.
 std::string readSize(const std::string& text, int& width, int& height);
 
