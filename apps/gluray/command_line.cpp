@@ -4,6 +4,7 @@
 #include "pictures/picture_commands.h"
 #include "say.h"
 #include "settings/setting_options.h"
+#include "timeline/timeline_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,16 +14,11 @@
 namespace gluray::launcher {
 namespace {
 
-void addExplainOptions(CLI::App& app, CommandLine& line) {
+void addRunLimits(CLI::App& app, CommandLine& line) {
   app.add_option("--frames", line.frames, "End the program after N frames")
       ->check(CLI::Range(1, 1000000000))
       ->type_name("N")
       ->capture_default_str();
-  app.add_option(
-         "--html", line.html,
-         "Write an HTML page to FILE with the last frame with and without GLuRay, the difference, and the\n"
-         "traced pixels. This runs the program a second time, without GLuRay")
-      ->type_name("FILE");
   app.add_option("--rest", line.restSeconds,
                  "End the program when it has drawn, and then shows no new frame for S seconds; 0: never")
       ->check(CLI::Range(0.0, 1e6))
@@ -32,6 +28,15 @@ void addExplainOptions(CLI::App& app, CommandLine& line) {
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("S")
       ->capture_default_str();
+}
+
+void addExplainOptions(CLI::App& app, CommandLine& line) {
+  app.add_option(
+         "--html", line.html,
+         "Write an HTML page to FILE with the last frame with and without GLuRay, the difference, and the\n"
+         "traced pixels. This runs the program a second time, without GLuRay")
+      ->type_name("FILE");
+  addRunLimits(app, line);
 }
 
 void addJobOption(CLI::App& app, CommandLine& line) {
@@ -62,7 +67,8 @@ void addOptions(CLI::App& app, CommandLine& line) {
          "bundled OpenGL libraries), or auto, which chooses what the program needs")
       ->check(CLI::IsMember({"auto", "vendor", "preload"}))
       ->capture_default_str();
-  addSettingOptions(app, line.settings, line.command == Command::explain);
+  addSettingOptions(app, line.settings,
+                    line.command == Command::explain || line.command == Command::reportBug);
   app.add_option("--config", line.config, "Read settings from FILE [~/.config/gluray/gluray.toml]")
       ->type_name("FILE");
 }
@@ -85,6 +91,7 @@ bool namesCommand(int argc, char** argv, Command& command) {
                                                           {"hub", Command::hub},
                                                           {"environment", Command::environment},
                                                           {"uninstall", Command::uninstall},
+                                                          {"report-bug", Command::reportBug},
                                                           {"render", Command::render},
                                                           {"export", Command::exportScene}};
   if (argc > 1 && namesControlCommand(argv[1], command)) return true;
@@ -92,20 +99,6 @@ bool namesCommand(int argc, char** argv, Command& command) {
   if (found == commands.end()) return false;
   command = found->second;
   return true;
-}
-
-void describeTimeline(CLI::App& app, CommandLine& line) {
-  app.description("Prints the work of each thread in a run with --timeline FILE, and draws a chart of it.");
-  app.name("gluray timeline");
-  app.add_option("FILE", line.program, "A file written by --timeline")->required()->expected(1);
-  app.add_option("-o", line.chart, "Draw a chart (SVG): the whole run, and a close-up of some frames")
-      ->type_name("CHART.svg");
-  app.add_option("--from", line.from, "Start of the close-up [in the middle of the run]")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("MS");
-  app.add_option("--to", line.to, "End of the close-up [some frames later]")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("MS");
 }
 
 void describeHub(CLI::App& app, CommandLine& line) {
@@ -172,6 +165,17 @@ void describe(CLI::App& app, CommandLine& line) {
       usage("options");
       app.add_flag("--remove", line.remove, "Remove what is listed");
       return;
+    case Command::reportBug:
+      app.description(
+          "Checks this machine, runs a program for a while, and packs what a bug report needs into an "
+          "archive.\n"
+          "Prints what is in it, and sends nothing.");
+      app.name("gluray report-bug");
+      usage("options] [--] [PROGRAM] [ARGUMENTS...");
+      app.add_option("-o", line.archive, "Name of the archive [gluray-report.tar.gz]")
+          ->type_name("FILE.tar.gz");
+      addRunLimits(app, line);
+      break;
     case Command::quirks:
       app.description("Lists the workarounds for single OpenGL implementations.");
       app.name("gluray quirks");

@@ -19,6 +19,7 @@ enum class Command {
   quirks,
   environment,
   uninstall,
+  reportBug,
   settings,
   get,
   presets,
@@ -64,6 +65,7 @@ struct CommandLine {
 
   bool json = false;    // all but run and timeline
   bool remove = false;  // uninstall
+  std::string archive;  // report-bug: file; empty: gluray-report.tar.gz
   std::string job;      // doctor: of workers; empty: none is checked
   // explain
   int frames = 100;

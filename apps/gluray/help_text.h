@@ -23,6 +23,7 @@ Commands, each with its own --help:
   gluray settings          all settings with their values and where these come from
   gluray get NAME          the value of a setting; with --why its value in each layer
   gluray presets           named sets of settings and their contents
+  gluray report-bug        an archive with all that a bug report needs
   gluray uninstall         what GLuRay keeps outside its folder, and how to remove it
   gluray environment       variables for shells and batch jobs whose programs are to run under GLuRay
 

@@ -8,6 +8,7 @@
 #include "control/values/live_values.h"
 #include "doctor/doctor.h"
 #include "doctor/probe_context.h"
+#include "doctor/report_bug.h"
 #include "doctor/uninstall.h"
 #include "explain/explain.h"
 #include "pictures/export.h"
@@ -45,6 +46,7 @@ int perform(const CommandLine& line) {
     case Command::doctor: return doctor(line);
     case Command::environment: return printEnvironment(line);
     case Command::uninstall: return uninstall(line);
+    case Command::reportBug: return reportBug(line);
     case Command::quirks: return listQuirks(line);
     case Command::settings: return listSettings(line);
     case Command::get:

@@ -257,4 +257,25 @@ def orbital(renderer):
     return (0.5, -1.0, 0.75), (0, 0, 1), 1.6
 
 
-SCENES = {f.__name__: f for f in (orbital, head, head_from_afar, bars, bars_detail, cut, star, helix, helix_along, helix_detail, tubes, mountains, bearing, impact, impact_side_lit, balls)}
+def grains(renderer):
+    """A porous aggregate of 27,000 grains of 384 triangles each, in the colours of their distance from its middle."""
+    generator, line = np.random.default_rng(7), np.arange(-23.0, 24.0)
+    x, y, z = (axis.ravel() for axis in np.meshgrid(line, line, line, indexing="ij"))
+    place = np.stack([x + 0.5 * (y % 2), 0.87 * y + 0.29 * (z % 2), 0.82 * z], axis=1) + generator.normal(0, 0.07, (x.size, 3))
+    radius = np.linalg.norm(place, axis=1)
+    pores = sum(np.sin(0.33 * a) * np.cos(0.33 * b) for a, b in zip(place.T, np.roll(place.T, -1, axis=0)))
+    kept = (radius < 20) & (pores + 0.25 * generator.normal(size=x.size) < 0.25)
+    points, data, ball, mapper = vtk.vtkPoints(), vtk.vtkPolyData(), vtk.vtkSphereSource(), vtk.vtkGlyph3DMapper()
+    points.SetData(numpy_to_vtk(place[kept], deep=True)), data.SetPoints(points)
+    data.GetPointData().SetScalars(numpy_to_vtk(radius[kept].astype(np.float32), deep=True))
+    ball.SetRadius(0.52), ball.SetThetaResolution(16), ball.SetPhiResolution(14)
+    table = vtk.vtkColorTransferFunction()
+    for at, color in ((8, (0.20, 0.38, 0.58)), (14, (0.90, 0.60, 0.36)), (20, (0.93, 0.90, 0.84))):
+        table.AddRGBPoint(at, *color)
+    mapper.SetInputData(data), mapper.SetSourceConnection(ball.GetOutputPort()), mapper.ScalingOff()
+    mapper.SetLookupTable(table), mapper.SetScalarRange(8, 20)
+    add(renderer, mapper)
+    return (0.6, -1.0, 0.55), (0, 0, 1), 1.5
+
+
+SCENES = {f.__name__: f for f in (orbital, head, head_from_afar, bars, bars_detail, cut, star, helix, helix_along, helix_detail, tubes, mountains, bearing, impact, impact_side_lit, balls, grains)}
