@@ -14,15 +14,23 @@ struct PictureOptions {
   std::string fit = "all";              // all, crop, stretch
   std::string background = "as-shown";  // as-shown, transparent
   bool overlays = true;
+  int depth = 0;       // bits a channel; 0: 8 of PNG, 32 of OpenEXR
   int turntable = 0;   // pictures of a turn of the camera around the scene; 0: one, of the saved view
   bool again = false;  // begins anew, whatever an interrupted run has left
 
   /// Whether more is asked for than the window's own pixels.
-  bool anything() const { return !size.empty() || background != "as-shown" || !overlays; }
+  bool anything() const {
+    return !size.empty() || background != "as-shown" || !overlays || depth > 8 || isExr();
+  }
+  /// Whether the file is an OpenEXR one, by its name.
+  bool isExr() const { return file.ends_with(".exr"); }
 };
 
-/// Adds --size, --fit, --background, --overlays and --restart.
+/// Adds --size, --fit, --depth, --background, --overlays and --restart.
 void addPictureOptions(CLI::App& app, PictureOptions& options);
+
+/// Whether the file can have these values. Empty, or one line that says what is wrong.
+std::string whyNotOf(const PictureOptions& options);
 
 /// Reads "WIDTHxHEIGHT". Empty, or one line that says what is wrong.
 std::string readSize(const std::string& text, int& width, int& height);

@@ -181,6 +181,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   perVertex = s.settings.shading == ShadingRate::vertex;
   averages = target.isAverages();
   bytes = target.has(Plane::color) || (averages && s.byteSamples);
+  limits = averages && s.limitedSamples;
   using Mode = scene::LightSampling::Mode;
   features = s.lightSampling.mode == Mode::reflectance || s.lightSampling.mode == Mode::geometry;
   const int samples = averages ? 1 : s.samples;

@@ -1,5 +1,7 @@
 #include "saved/program/render.h"
 
+#include "saved/exr/exr_writer.h"
+#include "saved/shot/linear_color.h"
 #include "saved/shot/shot.h"
 #include "settings/values.h"
 
@@ -40,16 +42,40 @@ void change(SavedScene& scene, std::span<const char* const> settings) {
   }
 }
 
+/// The pixels of a band as floats, from its top.
+std::vector<glm::vec4> floatsOf(Shot& shot, int band, int values) {
+  std::vector<glm::vec4> colors =
+      shot.wideBand(band, values == kGlurayLinear ? Shot::Range::open : Shot::Range::limited);
+  if (values == kGlurayLinear)
+    for (glm::vec4& color : colors) color = lightOf(color);
+  return colors;
+}
+
+/// Whether the sink goes on.
+template <class Pixel>
+bool give(const Shot& shot, int band, const std::vector<Pixel>& pixels, const GlurayRenderSink& sink) {
+  const int rows = static_cast<int>(pixels.size() / static_cast<size_t>(shot.size().x));
+  return sink.rows(sink.user, band, rows, pixels.data()) != 0;
+}
+
+/// What OpenEXR files have.
+std::string exrHeader() {
+  nlohmann::json channels = nlohmann::json::array();
+  for (const char* name : {"R", "G", "B", "A"}) channels.push_back({{"name", name}, {"color", true}});
+  return nlohmann::json{{"channels", channels}}.dump();
+}
+
 /// One picture. False: the sink has ended it.
 bool renderOne(Shot& shot, int picture, int firstBand, const std::string& facts,
-               const GlurayRenderSink& sink) {
+               const GlurayRenderRequest& request, const GlurayRenderSink& sink) {
   if (!sink.begin(sink.user, picture, shot.size().x, shot.size().y, shot.bandRows(), facts.c_str()))
     return false;
   for (const std::string& line : shot.notes()) sink.note(sink.user, line.c_str());
   for (int band = firstBand; band < shot.bands(); ++band) {
-    const std::vector<uint32_t> pixels = shot.band(band);
-    const int rows = static_cast<int>(pixels.size() / static_cast<size_t>(shot.size().x));
-    if (!sink.rows(sink.user, band, rows, pixels.data())) return false;
+    const bool goesOn = request.values == kGlurayBytes
+                            ? give(shot, band, shot.band(band), sink)
+                            : give(shot, band, floatsOf(shot, band, request.values), sink);
+    if (!goesOn) return false;
   }
   return sink.end(sink.user) != 0;
 }
@@ -64,13 +90,18 @@ bool render(const GlurayRenderRequest& request, const GlurayRenderSink& sink) {
                       .fit = fitOf(request.fit),
                       .transparent = request.transparent != 0,
                       .overlays = request.overlays != 0};
+  if (request.values == kGlurayLinear) {
+    if (!canWriteExr())
+      throw std::runtime_error("this GLuRay was built without OpenEXR: use a name that ends in .png");
+    if (!sink.channels(sink.user, 4, exrHeader().c_str())) return false;
+  }
   frame::Renderer renderer;  // keeps the structures of meshes from picture to picture
   for (int picture = request.firstPicture; picture < request.pictures; ++picture) {
     options.turn = 360.0 * picture / request.pictures;
     options.overlays = options.overlays && request.pictures == 1;
     Shot shot(scene, options, renderer);
     const int firstBand = picture == request.firstPicture ? request.firstBand : 0;
-    if (!renderOne(shot, picture, firstBand, facts, sink)) return false;
+    if (!renderOne(shot, picture, firstBand, facts, request, sink)) return false;
   }
   return true;
 }

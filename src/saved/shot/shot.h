@@ -40,6 +40,13 @@ class Shot {
   /// Traces band `number`, 0 at the top. Premultiplied RGBA8, top row first. Throws std::runtime_error with
   /// one line.
   std::vector<uint32_t> band(int number);
+  /// The same as displayed values of floats, which are not rounded. What the real OpenGL drew, and what is
+  /// blended in the order of drawing, has the values of bytes.
+  enum class Range : bool {
+    limited,  // samples are 0 .. 1, as in the window
+    open      // light may be brighter
+  };
+  std::vector<glm::vec4> wideBand(int number, Range range);
   /// What is not as in the program; a line each.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -51,7 +58,14 @@ class Shot {
   void lookAtWindow();
   void draw(Placed& placed, const scene::Region& band, Canvas& canvas) const;
   scene::Snapshot partOf(const Placed& placed, const scene::Region& part, const Canvas& canvas) const;
-  std::vector<uint32_t> behind(const scene::Region& band) const;
+  scene::Region regionOf(int band) const;
+  /// Draws a band. `start` makes the canvas of a region and what stands behind surfaces there; `background`
+  /// gives that at a place of the window.
+  template <class Color, class Background, class Start>
+  Canvas drawn(const scene::Region& band, const Background& background, const Start& start);
+  template <class Color, class Overlay>
+  std::vector<Color> rowsOf(const scene::Region& band, const Canvas& canvas, const std::vector<Color>& colors,
+                            const Overlay& overlay) const;
   void note(const std::string& text);
 
   SavedScene scene_;
