@@ -14,6 +14,7 @@ struct PictureOptions {
   std::string fit = "all";              // all, crop, stretch
   std::string background = "as-shown";  // as-shown, transparent
   bool overlays = true;
+  std::string layers;  // of OpenEXR: names and commas, or "all"
   int depth = 0;       // bits a channel; 0: 8 of PNG, 32 of OpenEXR
   int turntable = 0;   // pictures of a turn of the camera around the scene; 0: one, of the saved view
   bool again = false;  // begins anew, whatever an interrupted run has left

@@ -42,6 +42,15 @@ TEST(Pictures, CommandsMakeThemAgain) {
   EXPECT_EQ(commandOf(deep, {}), "gluray render s.gluray x.png --depth 16");
 }
 
+TEST(Pictures, LayersAreThoseOfOpenExr) {
+  PictureOptions options;
+  options.scene = "s.gluray", options.file = "a.exr", options.layers = "depth,albedo";
+  EXPECT_EQ(whyNotOf(options), "");
+  EXPECT_EQ(commandOf(options, {}), "gluray render s.gluray a.exr --layers 'depth,albedo'");
+  options.file = "a.png";
+  EXPECT_NE(whyNotOf(options), "");
+}
+
 TEST(Pictures, DepthsAreThoseOfTheForm) {
   const auto refuses = [](const char* file, int depth) {
     PictureOptions options;

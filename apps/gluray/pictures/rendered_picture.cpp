@@ -29,7 +29,7 @@ Hash128 identityOf(const PictureOptions& o, const std::vector<std::string>& sett
   std::string all = std::to_string(info.st_size) + ' ' + std::to_string(info.st_mtim.tv_sec) + ' ' +
                     std::to_string(info.st_mtim.tv_nsec) + ' ' + std::to_string(o.turntable) + ' ' + o.size +
                     ' ' + o.fit + ' ' + o.background + (o.overlays ? " overlays" : "") + ' ' +
-                    std::to_string(valuesFor(o)) + " " GLURAY_VERSION;
+                    std::to_string(valuesFor(o)) + ' ' + o.layers + " " GLURAY_VERSION;
   for (const std::string& setting : settings) all += '\n' + setting;
   return hashBytes(all.data(), all.size());
 }
@@ -144,6 +144,7 @@ void trace(const PictureOptions& options, const std::vector<std::string>& settin
                                     .firstPicture = work.firstPicture,
                                     .firstBand = work.firstBand,
                                     .values = valuesFor(options),
+                                    .layers = options.layers.c_str(),
                                     .pictures = static_cast<int>(work.files.size()),
                                     .settings = texts.data(),
                                     .settingCount = static_cast<int>(texts.size())};

@@ -26,6 +26,7 @@ typedef struct GlurayRenderRequest {
   int firstPicture;            /* pictures before it are not made */
   int firstBand;               /* nor bands of that picture before it */
   int values;                  /* kGlurayBytes ... */
+  const char* layers;          /* of kGlurayLinear: names and commas; "all"; "": colours alone */
   int pictures;                /* the camera goes around the scene once in so many; 1: the saved view */
   const char* const* settings; /* "name=value": in place of those of the scene */
   int settingCount;
@@ -37,8 +38,8 @@ typedef struct GlurayRenderSink {
   /* A picture's number from 0, its size, rows of a band, and facts about the scene: JSON. 0: ends the work.
    */
   int (*begin)(void* user, int picture, int width, int height, int bandRows, const char* facts);
-  /* What OpenEXR files of the pictures have, for glurayWriteExr(): called before the first begin(), if
-   * `values` is kGlurayLinear. JSON. 0: ends the work. */
+  /* What OpenEXR files of the pictures have, for glurayWriteExr(), and how many values a pixel has: called
+   * before the first begin(), if `values` is kGlurayLinear. JSON. 0: ends the work. */
   int (*channels)(void* user, int count, const char* header);
   /* Pixels as the request's `values` says, top row first. 0: ends the work. */
   int (*rows)(void* user, int band, int count, const void* pixels);

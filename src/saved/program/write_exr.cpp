@@ -13,8 +13,7 @@ namespace {
 /// That the caller has ended the work.
 struct Ended {};
 
-void takeTexts(const char* json, ExrPicture& picture) {
-  const nlohmann::json texts = nlohmann::json::parse(json);
+void takeTexts(const nlohmann::json& texts, ExrPicture& picture) {
   for (const auto& [name, text] : texts.items()) picture.texts.emplace_back(name, text.get<std::string>());
 }
 
@@ -26,7 +25,8 @@ void writeRequested(const GlurayExrRequest& request) {
   for (const auto& channel : header.at("channels"))
     picture.channels.push_back(
         {channel.at("name").get<std::string>(), request.half != 0 && channel.at("color").get<bool>()});
-  takeTexts(request.texts, picture);
+  takeTexts(nlohmann::json::parse(request.texts), picture);
+  takeTexts(header.at("texts"), picture);
   bool ended = false;
   picture.row = [&](int y, float* values) {
     if (request.row(request.user, y, values)) return;

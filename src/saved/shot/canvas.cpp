@@ -98,9 +98,7 @@ void Canvas::add(const Image& image, const DepthTest& test, bool encodes) {
   eachValue(image, [&](size_t from, size_t to) {
     const float depth = image.depth[from];
     float& there = depths_[to];
-    const bool passes = there == Image::kMiss || (test.largestWins ? depth > there : depth < there) ||
-                        (!test.strict && depth == there);
-    if (depth == Image::kMiss || !passes) return;
+    if (!test.passes(depth, there)) return;
     draw(image, from, encodes, !averages, to);
     const float written = averages ? image.centerDepth[from] : depth;
     if (test.writesDepth && written != Image::kMiss) there = written;

@@ -17,6 +17,12 @@ struct DepthTest {
   bool strict = true;        // equal depths fail
   bool largestWins = false;  // as scene::Camera::largestWins
   bool writesDepth = true;
+  /// Whether a surface of this depth (Image::kMiss: none) shows over what has the depth `there`.
+  bool passes(float depth, float there) const {
+    if (depth == Image::kMiss) return false;
+    return there == Image::kMiss || (largestWins ? depth > there : depth < there) ||
+           (!strict && depth == there);
+  }
 };
 
 class Canvas {

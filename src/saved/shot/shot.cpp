@@ -28,17 +28,6 @@ bool isFiltered(const scene::Snapshot& s) {
 
 }  // namespace
 
-/// A batch as the picture shows it.
-struct Shot::Placed {
-  scene::Snapshot snapshot;
-  DepthTest test;
-  std::vector<scene::Region> cleared;  // pixels of the picture
-  // Of layers: depths of opaque surfaces that the real OpenGL drew in the window, one per pixel of
-  // `window`, the region there; negative: none.
-  std::vector<float> rasterised;
-  scene::Region window;
-};
-
 Shot::Shot(SavedScene scene, const ShotOptions& options, frame::Renderer& renderer)
     : scene_(std::move(scene)), options_(options), renderer_(renderer) {
   if (scene_.window.x <= 0 || scene_.window.y <= 0)

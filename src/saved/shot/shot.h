@@ -26,6 +26,17 @@ struct ShotOptions {
 
 class Shot {
  public:
+  /// A batch as the picture shows it.
+  struct Placed {
+    scene::Snapshot snapshot;
+    DepthTest test;
+    std::vector<scene::Region> cleared;  // pixels of the picture
+    // Of layers: depths of opaque surfaces that the real OpenGL drew in the window, one per pixel of
+    // `window`, the region there; negative: none.
+    std::vector<float> rasterised;
+    scene::Region window;
+  };
+
   /// The scene's snapshots have the wanted settings. Throws std::runtime_error with one line if no picture
   /// can be made.
   Shot(SavedScene scene, const ShotOptions& options, frame::Renderer& renderer);
@@ -47,18 +58,20 @@ class Shot {
     open      // light may be brighter
   };
   std::vector<glm::vec4> wideBand(int number, Range range);
+  /// The pixels of a band; the lowest row of the picture is 0.
+  scene::Region regionOf(int band) const;
+  /// All batches, in the order of drawing.
+  const std::vector<Placed>& placed() const { return placed_; }
   /// What is not as in the program; a line each.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  struct Placed;
   void look();
   static Placed placedIn(const ShotFrame& frame, const SavedBatch& batch);
   void place(const SavedBatch& batch);
   void lookAtWindow();
   void draw(Placed& placed, const scene::Region& band, Canvas& canvas) const;
   scene::Snapshot partOf(const Placed& placed, const scene::Region& part, const Canvas& canvas) const;
-  scene::Region regionOf(int band) const;
   /// Draws a band. `start` makes the canvas of a region and what stands behind surfaces there; `background`
   /// gives that at a place of the window.
   template <class Color, class Background, class Start>

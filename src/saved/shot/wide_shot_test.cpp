@@ -54,11 +54,6 @@ double apartFrom(const std::vector<uint32_t>& bytes, const std::vector<glm::vec4
   return most;
 }
 
-scene::Snapshot unlit(scene::Snapshot s) {
-  s.settings.ao.enabled = false;
-  return s;
-}
-
 TEST(WideShot, RoundsToTheBytes) {
   SavedScene scene = sceneOf(unlit(balls(kSide, Floor::none)));
   scene.shown = {kSide, kSide, shownBy(*scene.batches[0].snapshot)};
