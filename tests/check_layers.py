@@ -47,7 +47,7 @@ FOLDERS = {
     "control": ["", "messages", "auth", "connection", "client", "link/program", "link", "hub", "hub/server"],
     "cluster": ["stream", "messages", "local", "ranks", "ranks/mpi", "program", "arrays", "shares", "pages", "peers", "gather",
                 "worker/facts", "worker/moving", "worker"],
-    "saved": ["sections", "scene", "shot", "export/arrays", "export/gather", "export/formats", "export", "program"],
+    "saved": ["exr", "sections", "scene", "shot", "export/arrays", "export/gather", "export/formats", "export", "layers", "program"],
     "intercept": ["doors", "stubs", "probe", "session", "window_systems", "present/state", "present/read_back", "present/write_back",
                   "present/raster", "present", "tracing", "hud", "windows", "contexts", "reports", "control", "capture", "frames", "hooks", ""],
 }

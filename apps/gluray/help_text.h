@@ -47,7 +47,7 @@ Commands for the scenes of running programs:
   gluray camera            list the cameras; gluray camera focus X Y focuses on a surface
 
 Pictures of saved scenes:
-  gluray render SCENE.gluray FILE.png   make a picture of any size, without the program
+  gluray render SCENE.gluray FILE.png   make a picture of any size, without the program; FILE.exr: OpenEXR
   gluray export SCENE.gluray FILE       write it as glTF (.glb), .obj or .ply
 
 After a run:

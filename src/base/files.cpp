@@ -168,10 +168,8 @@ std::string replace(const std::string& path, std::string_view content) {
 }
 
 Draft::Draft(const std::string& path) : path_(path) {
-  if (isStream(path)) {
-    why_ = "it is not a regular file";
-    return;
-  }
+  if (isStream(path)) why_ = "it is not a regular file";
+  if (!why_.empty()) return;
   errno = 0;
   mode_t mode = 0;
   std::tie(mode, why_) = inspect(path);
@@ -180,9 +178,7 @@ Draft::Draft(const std::string& path) : path_(path) {
     return;
   }
   std::tie(file_, draft_) = openDraft(path, mode);
-  if (file_ >= 0) return;
-  fail(errno);
-  draft_.clear();
+  if (file_ < 0) fail(errno), draft_.clear();
 }
 
 Draft::~Draft() {
@@ -198,6 +194,11 @@ bool Draft::fail(int error) {
 bool Draft::write(std::string_view content) {
   if (!why_.empty()) return false;
   return writeAll(file_, content) || fail(errno);
+}
+
+bool Draft::writeAt(uint64_t place, std::string_view content) {
+  const bool there = why_.empty() && lseek(file_, static_cast<off_t>(place), SEEK_SET) >= 0;
+  return there ? write(content) : fail(errno);
 }
 
 bool Draft::place() {

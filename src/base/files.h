@@ -6,6 +6,7 @@
 #include "base/guarded_write.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -32,6 +33,9 @@ class Draft {
 
   /// Appends to the file. Returns false after an error; then nothing more is written.
   bool write(std::string_view content);
+  /// Writes at a place of the file, over what stands there; write() goes on behind it. Returns false after an
+  /// error.
+  bool writeAt(uint64_t place, std::string_view content);
   /// Puts the file in the place of `path`. Returns false after an error, this one's or an earlier one.
   bool place();
   /// The first error, empty if there is none.

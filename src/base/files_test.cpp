@@ -78,6 +78,17 @@ TEST_F(Files, DraftsTakeThePlaceOfFilesWhenComplete) {
   EXPECT_EQ(Draft("/dev/null").why(), "it is not a regular file");
 }
 
+TEST_F(Files, DraftsAreWrittenInAnyOrder) {
+  Draft draft(path("a"));
+  EXPECT_TRUE(draft.writeAt(4, "last"));
+  EXPECT_TRUE(draft.writeAt(0, "head"));
+  EXPECT_TRUE(draft.writeAt(2, "11"));
+  EXPECT_TRUE(draft.writeAt(8, ""));
+  EXPECT_TRUE(draft.place()) << draft.why();
+  EXPECT_EQ(textOf(path("a")), "he11last");
+  EXPECT_FALSE(Draft(path("no/file")).writeAt(0, "x"));
+}
+
 TEST_F(Files, FilesInTheWorkingDirectoryNeedNoFolder) {
   const fs::path before = fs::current_path();
   fs::current_path(folder_.path());

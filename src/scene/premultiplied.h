@@ -1,5 +1,7 @@
-// RGBA8 colours whose red, green and blue are multiplied by alpha. Any thread.
+// Colours whose red, green and blue are multiplied by alpha: RGBA8, or floats. Any thread.
 #pragma once
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <cstdint>
 
@@ -15,6 +17,16 @@ inline uint32_t blended(uint32_t over, uint32_t under) {
     result |= std::min(kFull, a + (b * through + kFull / 2) / kFull) << shift;
   }
   return result;
+}
+
+/// The same of floats, which are not limited.
+inline glm::vec4 blended(const glm::vec4& over, const glm::vec4& under) {
+  return over + under * (1 - over.a);
+}
+
+/// RGBA8 as floats, 0 .. 1.
+inline glm::vec4 wideOf(uint32_t color) {
+  return glm::vec4(color & 255u, color >> 8 & 255u, color >> 16 & 255u, color >> 24) / 255.0f;
 }
 
 /// The same colour with full opacity. `color` has some.

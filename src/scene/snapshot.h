@@ -169,6 +169,9 @@ struct Snapshot {
   // With wide colours: averages of several samples are those of samples rounded to bytes, as in a framebuffer
   // of bytes, but are not rounded themselves.
   bool byteSamples = false;
+  // With wide colours: samples are limited to [0, 1] before they are averaged, as in a framebuffer of bytes.
+  // Not sent to workers, which make no pictures for files.
+  bool limitedSamples = false;
   bool encodes =
       false;  // GL_FRAMEBUFFER_SRGB was on; then colours are wide, and the real OpenGL encodes them
   ColorWrites colorWrites;  // of the destination framebuffer; tracing uses it only for Layers::Of::drawn

@@ -15,7 +15,8 @@ GLURAY, CLIENT, TOOLKIT = sys.argv[1:4]
 WIDTH, HEIGHT = 160, 120  # of the client's window
 
 
-class Shots(ShotsCase):
+class Pictures(ShotsCase):
+    """A program that runs, and the commands for it."""
     GLURAY = GLURAY
 
     def start(self, *options, client=(CLIENT, "exposed")):
@@ -33,6 +34,8 @@ class Shots(ShotsCase):
         self.done("save", "scene.gluray")
         return self.folder / "scene.gluray"
 
+
+class Shots(Pictures):
     def test_a_scene_is_rendered_as_the_window_shows_it(self):
         self.saved()
         said = json.loads(self.done("render", "scene.gluray", "picture.png", "--json").stdout)

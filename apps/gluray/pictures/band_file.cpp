@@ -18,7 +18,7 @@ namespace {
 
 struct Head {
   std::array<char, 16> magic = {'G', 'L', 'u', 'R', 'a', 'y', ' ',  'b',
-                                'a', 'n', 'd', 's', ' ', '1', '\n', 0};
+                                'a', 'n', 'd', 's', ' ', '2', '\n', 0};
   BandPlan plan;
   int finished = 0;
 };
@@ -40,7 +40,7 @@ bool writeAll(int descriptor, const void* bytes, size_t count, off_t at) {
   return true;
 }
 
-off_t rowAt(const BandPlan& plan, int y) { return kPixels + off_t{4} * plan.width * y; }
+off_t rowAt(const BandPlan& plan, int y) { return kPixels + off_t{plan.pixelBytes} * plan.width * y; }
 
 /// The head of the file if it is one of this work.
 std::optional<Head> headOf(const std::string& path, uint64_t low, uint64_t high) {
@@ -82,18 +82,16 @@ void BandFile::fail(int error) const {
                            " cannot be written: " + std::generic_category().message(error));
 }
 
-void BandFile::add(int band, int rows, const uint32_t* pixels) {
-  const size_t bytes = size_t{4} * static_cast<size_t>(plan_.width) * static_cast<size_t>(rows);
+void BandFile::add(int band, int rows, const void* pixels) {
+  const size_t bytes = rowBytes() * static_cast<size_t>(rows);
   const int finished = band + 1;
   if (!writeAll(descriptor_, pixels, bytes, rowAt(plan_, band * plan_.bandRows)) ||
       !writeAll(descriptor_, &finished, sizeof finished, offsetof(Head, finished)))
     fail(errno);
 }
 
-void BandFile::row(int y, std::vector<uint32_t>& pixels) const {
-  pixels.resize(static_cast<size_t>(plan_.width));
-  const size_t bytes = 4 * pixels.size();
-  if (::pread(descriptor_, pixels.data(), bytes, rowAt(plan_, y)) != static_cast<ssize_t>(bytes))
+void BandFile::row(int y, void* pixels) const {
+  if (::pread(descriptor_, pixels, rowBytes(), rowAt(plan_, y)) != static_cast<ssize_t>(rowBytes()))
     throw std::runtime_error(printable(path_) + " has been changed: start again");
 }
 

@@ -1,6 +1,7 @@
 // The bands of a picture that is being made, in a file: work that was interrupted goes on where it ended.
 // One thread.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@ namespace gluray::launcher {
 struct BandPlan {
   uint64_t low = 0, high = 0;  // a hash of the scene and of all that was asked for
   int width = 0, height = 0, bandRows = 0;
+  int pixelBytes = 4;
   bool operator==(const BandPlan&) const = default;
 };
 
@@ -26,14 +28,21 @@ class BandFile {
   BandFile(const BandFile&) = delete;
   BandFile& operator=(const BandFile&) = delete;
 
-  /// Adds a band: premultiplied RGBA8, top row first. Throws std::runtime_error with one line.
-  void add(int band, int rows, const uint32_t* pixels);
+  /// Adds a band, top row first. Throws std::runtime_error with one line.
+  void add(int band, int rows, const void* pixels);
   /// A row of the picture, from its top. Throws std::runtime_error with one line.
-  void row(int y, std::vector<uint32_t>& pixels) const;
+  void row(int y, void* pixels) const;
+  /// `Value`: what pixels consist of.
+  template <class Value>
+  void row(int y, std::vector<Value>& values) const {
+    values.resize(rowBytes() / sizeof(Value));
+    row(y, static_cast<void*>(values.data()));
+  }
   const BandPlan& plan() const { return plan_; }
   void remove();
 
  private:
+  size_t rowBytes() const { return static_cast<size_t>(plan_.width) * static_cast<size_t>(plan_.pixelBytes); }
   [[noreturn]] void fail(int error) const;
 
   std::string path_;

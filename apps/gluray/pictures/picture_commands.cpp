@@ -10,10 +10,10 @@ void describeRender(CLI::App& app, CommandLine& line) {
   app.description(
       "Makes a picture of a scene that `gluray save` saved, of any size, with the settings that the program "
       "had\n"
-      "or others. If it is interrupted, the same command goes on where it ended. Overwrites PNG files only.");
+      "or others. If it is interrupted, the same command goes on where it ended. Overwrites pictures only.");
   app.name("gluray render");
   app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray")->required();
-  app.add_option("FILE", line.picture.file, "Name of the picture, ending in .png")->required();
+  app.add_option("FILE", line.picture.file, "Name of the picture, ending in .png or .exr")->required();
   addPictureOptions(app, line.picture);
   addRestartOption(app, line.picture);
   app.add_option(

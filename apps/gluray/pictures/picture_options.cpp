@@ -34,6 +34,14 @@ bool isOtherForm(const std::string& file) {
   });
 }
 
+std::string whyNotOf(const PictureOptions& options) {
+  const int depth = options.depth;
+  if (!options.layers.empty() && !options.isExr())
+    return "--layers: PNG files have no layers; use a name that ends in .exr";
+  if (options.isExr()) return depth == 8 ? "--depth 8: OpenEXR files have 16 or 32 bits a channel" : "";
+  return depth == 32 ? "--depth 32: PNG files have 8 or 16 bits a channel; use a name that ends in .exr" : "";
+}
+
 void addPictureOptions(CLI::App& app, PictureOptions& options) {
   app.add_option("--size", options.size, "Pixels of the picture [those of the window]")
       ->type_name("WIDTHxHEIGHT");
@@ -46,6 +54,15 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
   app.add_option("--background", options.background, "The window's background, or none")
       ->check(CLI::IsMember({"as-shown", "transparent"}))
       ->capture_default_str();
+  app.add_option("--depth", options.depth,
+                 "Bits a channel: 8 or 16 of PNG files [8], 16 or 32 of the colours of OpenEXR files [32]")
+      ->check(CLI::IsMember({8, 16, 32}))
+      ->type_name("BITS");
+  app.add_option(
+         "--layers", options.layers,
+         "Layers of an OpenEXR file beside its colours: all, or a list of albedo, normal, position, depth,\n"
+         "object and material, with commas")
+      ->type_name("NAMES");
   app.add_flag("!--no-overlays", options.overlays,
                "Leave out what the program draws over surfaces: text, axes, widgets");
 }

@@ -10,6 +10,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 
@@ -36,6 +37,30 @@ TEST(Pictures, CommandsMakeThemAgain) {
             "gluray render 'my scene.gluray' './-x.png' --size 5x6 --fit crop --background transparent "
             "--no-overlays "
             "--set spp=4 --set 'lights.file=it'\\''s'");
+  PictureOptions deep;
+  deep.scene = "s.gluray", deep.file = "x.png", deep.depth = 16;
+  EXPECT_EQ(commandOf(deep, {}), "gluray render s.gluray x.png --depth 16");
+}
+
+TEST(Pictures, LayersAreThoseOfOpenExr) {
+  PictureOptions options;
+  options.scene = "s.gluray", options.file = "a.exr", options.layers = "depth,albedo";
+  EXPECT_EQ(whyNotOf(options), "");
+  EXPECT_EQ(commandOf(options, {}), "gluray render s.gluray a.exr --layers 'depth,albedo'");
+  options.file = "a.png";
+  EXPECT_NE(whyNotOf(options), "");
+}
+
+TEST(Pictures, DepthsAreThoseOfTheForm) {
+  const auto refuses = [](const char* file, int depth) {
+    PictureOptions options;
+    options.file = file, options.depth = depth;
+    return !whyNotOf(options).empty();
+  };
+  EXPECT_FALSE(refuses("a.png", 0) || refuses("a.png", 8) || refuses("a.png", 16));
+  EXPECT_FALSE(refuses("a.exr", 0) || refuses("a.exr", 16) || refuses("a.exr", 32));
+  EXPECT_TRUE(refuses("a.png", 32));
+  EXPECT_TRUE(refuses("a.exr", 8));
 }
 
 TEST(Pictures, PresetsBecomeTheirValues) {
@@ -78,6 +103,19 @@ TEST_F(Bands, GoOnWhereTheyEnded) {
   EXPECT_THROW(file.row(5, row), std::runtime_error);
   file.remove();
   EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST_F(Bands, HavePixelsOfAnySize) {
+  BandPlan wide = plan;
+  wide.pixelBytes = 8;
+  const std::vector<float> pixels = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  { BandFile(path, plan).add(0, 2, std::vector<uint32_t>(6).data()); }
+  BandFile file(path, wide);
+  EXPECT_EQ(BandFile::finishedBands(path, 1, 2), 0) << "pixels of another size";
+  file.add(0, 2, pixels.data());
+  std::vector<float> row;
+  file.row(1, row);
+  EXPECT_EQ(row, (std::vector<float>{7, 8, 9, 10, 11, 12}));
 }
 
 TEST_F(Bands, OfThisWorkAreKnownBeforeTheFirst) {
@@ -129,6 +167,42 @@ TEST(PngFiles, HaveStraightAlphaOrNone) {
   writePng(file, pictureOf(pixels, 4, false));
   EXPECT_EQ(read(file),
             (std::vector<uint8_t>{255, 0, 0, 255, 128, 64, 0, 255, 0, 0, 0, 255, 255, 255, 255, 255}));
+}
+
+/// RGBA words of a PNG file, and its bits a channel.
+std::vector<uint16_t> readWords(const std::string& file, int& depth) {
+  FILE* const in = std::fopen(file.c_str(), "rb");
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  png_init_io(png, in);
+  png_read_png(png, info, PNG_TRANSFORM_SWAP_ENDIAN, nullptr);
+  depth = png_get_bit_depth(png, info);
+  std::vector<uint16_t> words;
+  for (png_uint_32 y = 0; y < png_get_image_height(png, info); ++y) {
+    const auto* const row = reinterpret_cast<const uint16_t*>(png_get_rows(png, info)[y]);
+    words.insert(words.end(), row, row + png_get_rowbytes(png, info) / 2);
+  }
+  EXPECT_TRUE(png_get_valid(png, info, PNG_INFO_sRGB));
+  png_destroy_read_struct(&png, &info, nullptr);
+  std::fclose(in);
+  return words;
+}
+
+TEST(PngFiles, HaveSixteenBits) {
+  const gluray::test::TemporaryFolder folder;
+  const std::string file = folder.file("picture.png");
+  const std::vector<float> pixels = {1, 0, 0.5f, 1, 0.25f, 2, -1, 0.5f};
+  PngPicture picture{.width = 1, .height = 2, .alpha = true, .depth = 16};
+  picture.wideRow = [&](int y, std::vector<float>& row) {
+    row.assign(pixels.begin() + 4 * y, pixels.begin() + 4 * y + 4);
+  };
+  int depth = 0;
+  writePng(file, picture);
+  EXPECT_EQ(readWords(file, depth), (std::vector<uint16_t>{65535, 0, 32768, 65535, 32768, 65535, 0, 32768}));
+  EXPECT_EQ(depth, 16);
+  picture.alpha = false;
+  writePng(file, picture);
+  EXPECT_EQ(readWords(file, depth), (std::vector<uint16_t>{65535, 0, 32768, 16384, 65535, 0}));
 }
 
 TEST(PngFiles, StayWhereNewOnesCannotBeWritten) {

@@ -6,6 +6,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csetjmp>
 #include <cstdio>
 #include <new>
@@ -25,6 +26,20 @@ void toBytes(const std::vector<uint32_t>& pixels, bool alpha, std::vector<uint8_
           static_cast<uint8_t>(!alpha || a == 0 ? value : std::min(255u, (value * 255 + a / 2) / a)));
     }
     if (alpha) bytes.push_back(static_cast<uint8_t>(a));
+  }
+}
+
+/// The same of 16 bits, the high byte first.
+void toWords(const std::vector<float>& values, bool alpha, std::vector<uint8_t>& bytes) {
+  bytes.clear();
+  const auto add = [&](float value) {
+    const auto word = static_cast<uint32_t>(std::lround(value > 0 ? std::min(value, 1.0f) * 65535.0f : 0.0f));
+    bytes.push_back(static_cast<uint8_t>(word >> 8)), bytes.push_back(static_cast<uint8_t>(word));
+  };
+  for (size_t i = 0; i + 3 < values.size(); i += 4) {
+    const float a = alpha && values[i + 3] > 0 ? std::min(values[i + 3], 1.0f) : 1;
+    for (size_t c = 0; c < 3; ++c) add(values[i + c] / a);
+    if (alpha) add(values[i + 3]);
   }
 }
 
@@ -79,17 +94,23 @@ void write(files::Draft& draft, const PngPicture& picture) {
   png.step([&](png_structp p, png_infop info) {
     png_set_write_fn(p, &draft, append, flush);
     png_set_IHDR(p, info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height),
-                 8, picture.alpha ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 picture.depth, picture.alpha ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(p, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_text(p, info, texts.data(), static_cast<int>(texts.size()));
     png_write_info(p, info);
   });
   std::vector<uint32_t> pixels;
+  std::vector<float> values;
   std::vector<uint8_t> bytes;
   for (int y = 0; y < picture.height; ++y) {
-    picture.row(y, pixels);
-    toBytes(pixels, picture.alpha, bytes);
+    if (picture.depth == 16) {
+      picture.wideRow(y, values);
+      toWords(values, picture.alpha, bytes);
+    } else {
+      picture.row(y, pixels);
+      toBytes(pixels, picture.alpha, bytes);
+    }
     png.step([&](png_structp p, png_infop) { png_write_row(p, bytes.data()); });
   }
   png.step([](png_structp p, png_infop info) { png_write_end(p, info); });

@@ -27,7 +27,8 @@ std::string namesOf(const RenderedPicture& made) {
 int renderSaved(const CommandLine& line) {
   const PictureOptions& options = line.picture;
   for (const std::string& file : filesOf(options))
-    if (const std::string why = whyNotInto(file); !why.empty()) return say(why), kUsageError;
+    if (const std::string why = whyNoPictureInto(file); !why.empty()) return say(why), kUsageError;
+  if (const std::string why = whyNotOf(options); !why.empty()) return say(why), kUsageError;
   const double start = nowSeconds();
   const NamedValues settings = wantedSettings(line);
   const RenderedPicture made = renderPictures(options, settings, commandOf(options, settings));

@@ -5,7 +5,7 @@
 #include "control/images/film_plan.h"
 #include "pictures/band_file.h"
 #include "pictures/engine_function.h"
-#include "pictures/png_writer.h"
+#include "pictures/picture_file.h"
 #include "saved/program/render.h"
 
 #include <sys/stat.h>
@@ -28,7 +28,8 @@ Hash128 identityOf(const PictureOptions& o, const std::vector<std::string>& sett
   ::stat(o.scene.c_str(), &info);
   std::string all = std::to_string(info.st_size) + ' ' + std::to_string(info.st_mtim.tv_sec) + ' ' +
                     std::to_string(info.st_mtim.tv_nsec) + ' ' + std::to_string(o.turntable) + ' ' + o.size +
-                    ' ' + o.fit + ' ' + o.background + (o.overlays ? " overlays" : "") + " " GLURAY_VERSION;
+                    ' ' + o.fit + ' ' + o.background + (o.overlays ? " overlays" : "") + ' ' +
+                    std::to_string(valuesFor(o)) + ' ' + o.layers + " " GLURAY_VERSION;
   for (const std::string& setting : settings) all += '\n' + setting;
   return hashBytes(all.data(), all.size());
 }
@@ -62,6 +63,8 @@ struct Work {
   Hash128 identity;
   int firstPicture = 0, firstBand = 0, number = 0;
   RenderedPicture picture;
+  std::string header;  // of OpenEXR files
+  int pixelBytes = 4;
   std::unique_ptr<BandFile> bands;
   Progress progress;
   std::string why;
@@ -85,11 +88,20 @@ int begin(void* user, int number, int width, int height, int bandRows, const cha
     work.picture.width = width, work.picture.height = height;
     work.picture.facts = nlohmann::json::parse(facts);
     work.bands = std::make_unique<BandFile>(
-        work.bandsOf(number), BandPlan{work.identity.low, work.identity.high, width, height, bandRows});
+        work.bandsOf(number),
+        BandPlan{work.identity.low, work.identity.high, width, height, bandRows, work.pixelBytes});
   });
 }
 
-int takeRows(void* user, int band, int count, const uint32_t* pixels) {
+int takeChannels(void* user, int count, const char* header) {
+  Work& work = Work::of(user);
+  return work.guarded([&] {
+    work.header = header;
+    work.pixelBytes = static_cast<int>(sizeof(float)) * count;
+  });
+}
+
+int takeRows(void* user, int band, int count, const void* pixels) {
   Work& work = Work::of(user);
   return work.guarded([&] {
     work.bands->add(band, count, pixels);
@@ -104,15 +116,8 @@ int takeRows(void* user, int band, int count, const uint32_t* pixels) {
 int finish(void* user) {
   Work& work = Work::of(user);
   return work.guarded([&] {
-    PngPicture png{.width = work.picture.width,
-                   .height = work.picture.height,
-                   .alpha = work.options.background == "transparent",
-                   .row = [&](int y, std::vector<uint32_t>& pixels) { work.bands->row(y, pixels); }};
-    png.texts = {{"Software", "GLuRay " GLURAY_VERSION}, {"Command", work.command}};
-    for (const char* fact : {"program", "saved"})
-      if (work.picture.facts.contains(fact) && work.picture.facts[fact].is_string())
-        png.texts.emplace_back(std::string("GLuRay ") + fact, work.picture.facts[fact].get<std::string>());
-    writePng(work.files[static_cast<size_t>(work.number)], png);
+    writePicture(work.files[static_cast<size_t>(work.number)],
+                 {work.options, *work.bands, work.command, work.picture.facts, work.header});
     work.bands->remove();
   });
 }
@@ -138,10 +143,12 @@ void trace(const PictureOptions& options, const std::vector<std::string>& settin
                                     .overlays = options.overlays,
                                     .firstPicture = work.firstPicture,
                                     .firstBand = work.firstBand,
+                                    .values = valuesFor(options),
+                                    .layers = options.layers.c_str(),
                                     .pictures = static_cast<int>(work.files.size()),
                                     .settings = texts.data(),
                                     .settingCount = static_cast<int>(texts.size())};
-  const GlurayRenderSink sink{&work, begin, takeRows, finish, takeNote};
+  const GlurayRenderSink sink{&work, begin, takeChannels, takeRows, finish, takeNote};
   char why[1024] = "";
   if (engineFunction<Render>("glurayRender")(&request, &sink, why, sizeof why)) return;
   throw std::runtime_error(work.why.empty() ? why : work.why);
@@ -159,7 +166,8 @@ int interrupted(const std::vector<std::string>& files) {
 std::vector<std::string> filesOf(const PictureOptions& options) {
   if (options.turntable == 0) return {options.file};
   FilmName name;
-  if (const std::string why = readFilmName(options.file, name); !why.empty()) throw std::runtime_error(why);
+  const std::string why = readFilmName(options.file, name, options.isExr() ? ".exr" : ".png");
+  if (!why.empty()) throw std::runtime_error(why);
   std::vector<std::string> files;
   for (int i = 1; i <= options.turntable; ++i) files.push_back(name.file(i));
   return files;
@@ -172,7 +180,8 @@ RenderedPicture renderPictures(const PictureOptions& options, const NamedValues&
   Work work{.options = options,
             .command = command,
             .files = filesOf(options),
-            .identity = identityOf(options, values)};
+            .identity = identityOf(options, values),
+            .pixelBytes = valuesFor(options) == kGlurayDisplayed ? static_cast<int>(4 * sizeof(float)) : 4};
   work.firstPicture = interrupted(work.files);
   if (options.again) {
     ::unlink(work.bandsOf(work.firstPicture).c_str());

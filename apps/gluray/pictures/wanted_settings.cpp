@@ -40,6 +40,8 @@ std::string commandOf(const PictureOptions& options, const NamedValues& settings
   if (!options.size.empty()) command += " --size " + shellWord(options.size);
   if (options.fit != "all") command += " --fit " + options.fit;
   if (options.background != "as-shown") command += " --background " + options.background;
+  if (!options.layers.empty()) command += " --layers " + shellWord(options.layers);
+  if (options.depth != 0) command += " --depth " + std::to_string(options.depth);
   if (options.turntable > 0) command += " --turntable " + std::to_string(options.turntable);
   if (!options.overlays) command += " --no-overlays";
   for (const auto& [name, value] : settings) command += " --set " + shellWord(name + "=" + value);

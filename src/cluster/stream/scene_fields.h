@@ -178,9 +178,9 @@ void fields(auto& archive, Like<scene::SecondaryScene> auto& value) {
 }
 void fields(auto& archive, Like<scene::Snapshot> auto& value) {
   auto& [frame, view, viewFrame, swaps, number, lightSampling, camera, eyeFromWorld, region, samples,
-         samplePositions, polygonOffset, depthSteps, layers, wideColors, byteSamples, encodes, colorWrites,
-         laterWins, shadings, instances, volumes, secondaryScene, extent, ground, catches, backdrop,
-         settings] = value;
+         samplePositions, polygonOffset, depthSteps, layers, wideColors, byteSamples, limitedSamples, encodes,
+         colorWrites, laterWins, shadings, instances, volumes, secondaryScene, extent, ground, catches,
+         backdrop, settings] = value;
   archive(frame, view, viewFrame, swaps, number, lightSampling, camera, eyeFromWorld, region, samples,
           samplePositions, polygonOffset, depthSteps, layers, wideColors, byteSamples, encodes, colorWrites,
           laterWins, shadings, instances, secondaryScene, extent, ground, catches, backdrop, settings);

@@ -60,10 +60,10 @@ bool ImageCache::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
     return false;
   return e.extent == s.extent && e.samples == s.samples && e.samplePositions == s.samplePositions &&
          e.polygonOffset == s.polygonOffset && e.wideColors == s.wideColors &&
-         e.byteSamples == s.byteSamples && e.laterWins == s.laterWins && e.depthSteps == s.depthSteps &&
-         e.shadings == s.shadings && e.settings == s.settings && e.ground == s.ground &&
-         e.catches == s.catches && isSameLayers(e.layers, s.layers) && isSameWrites(e, s) &&
-         isSameBackdrop(e.backdrop, s.backdrop);
+         e.byteSamples == s.byteSamples && e.limitedSamples == s.limitedSamples &&
+         e.laterWins == s.laterWins && e.depthSteps == s.depthSteps && e.shadings == s.shadings &&
+         e.settings == s.settings && e.ground == s.ground && e.catches == s.catches &&
+         isSameLayers(e.layers, s.layers) && isSameWrites(e, s) && isSameBackdrop(e.backdrop, s.backdrop);
 }
 
 ImageCache::CachedImage* ImageCache::findImage(const scene::Snapshot& snapshot,

@@ -129,13 +129,6 @@ void readField(const std::string& key, const toml::node& node, float diagonal, M
   }
 }
 
-/// The colour that an object's state gives it, before vertices and textures.
-glm::vec3 ownColor(const scene::Shading& shading, const scene::Instance& instance) {
-  const bool program = shading.fragment.model != scene::FragmentShading::Model::off;
-  const bool vertices = !program && (!shading.lighting || shading.colorMaterial != scene::ColorMaterial{});
-  return glm::vec3(vertices ? instance.color : instance.materials[0].front.diffuse);
-}
-
 /// The text of the last file that could be read.
 class LastRules {
  public:
@@ -168,6 +161,12 @@ LastRules& lastRules() {
 }
 
 }  // namespace
+
+glm::vec3 ownColor(const scene::Shading& shading, const scene::Instance& instance) {
+  const bool program = shading.fragment.model != scene::FragmentShading::Model::off;
+  const bool vertices = !program && (!shading.lighting || shading.colorMaterial != scene::ColorMaterial{});
+  return glm::vec3(vertices ? instance.color : instance.materials[0].front.diffuse);
+}
 
 bool MaterialRule::holdsFor(const scene::Instance& instance, const scene::Shading& shading) const {
   const uint32_t count = instance.mesh->triangleCount;

@@ -40,6 +40,9 @@ std::vector<MaterialRule> readMaterialRules(const std::string& toml, const Mater
 /// settings.material.objects. Empty if nothing is hidden.
 accel::HiddenFrom hiddenByRules(const scene::Snapshot&);
 
+/// The colour that an object's state gives it, before vertices and textures; displayed values.
+glm::vec3 ownColor(const scene::Shading&, const scene::Instance&);
+
 /// Returns one model for each instance of the snapshot and its secondary scene. Settings apply to lit
 /// surfaces, rules and entries to all surfaces. `diagonal`: of the scene's bounds, eye space. If the file
 /// cannot be read, logs one line and keeps the last valid rules.

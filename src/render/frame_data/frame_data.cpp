@@ -29,17 +29,6 @@ bool clipPlanesShared(const std::vector<scene::Instance>& instances) {
 
 bool writesDepth(const scene::Shading& shading) { return shading.fragment.writesDepth; }
 
-/// The R2 sequence (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018): starts at
-/// the centre; every prefix is evenly distributed.
-std::vector<glm::dvec2> positionsInPixel(int count) {
-  constexpr double kPlastic = 1.32471795724474602596;
-  std::vector<glm::dvec2> positions;
-  for (int i = 0; i < std::max(count, 1); ++i)
-    positions.push_back(
-        glm::fract(0.5 + static_cast<double>(i) * glm::dvec2(1 / kPlastic, 1 / (kPlastic * kPlastic))));
-  return positions;
-}
-
 /// Upper bound of the stretch of a matrix: the root of a bound of the largest eigenvalue of m^T m.
 double stretchOf(const glm::dmat3& m) {
   const glm::dmat3 squared = glm::transpose(m) * m;
@@ -181,6 +170,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   perVertex = s.settings.shading == ShadingRate::vertex;
   averages = target.isAverages();
   bytes = target.has(Plane::color) || (averages && s.byteSamples);
+  limits = averages && s.limitedSamples;
   using Mode = scene::LightSampling::Mode;
   features = s.lightSampling.mode == Mode::reflectance || s.lightSampling.mode == Mode::geometry;
   const int samples = averages ? 1 : s.samples;

@@ -52,6 +52,7 @@ struct FrameData {
   bool ownPlanes = false;     // some surface has its own clip planes
   bool averages = false;      // a pixel averages all samples (Image::centerDepth)
   bool bytes = false;         // the colours of samples are bytes
+  bool limits = false;        // the colours of samples are limited to 0 .. 1 before they are averaged
   bool features = false;      // colours are auxiliary features for denoising
   // The instance that is a shadow catcher, which needs averages; kNoHit: none.
   uint32_t catcher = accel::kNoHit;

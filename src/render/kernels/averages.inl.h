@@ -20,7 +20,7 @@ class Averages {
  public:
   HWY_ATTR void add(const FrameData& frame, const Tile& tile, const Work& work) {
     const scene::Camera& camera = frame.snapshot->camera;
-    const bool bytes = frame.bytes;
+    const bool bytes = frame.bytes, limits = frame.limits;
     const bool depthAlone = frame.lens && work.sample == 0;
     const float weight =
         frame.sampleWeights.empty() ? 1.0f : frame.sampleWeights[static_cast<size_t>(work.sample)];
@@ -36,16 +36,17 @@ class Averages {
           firstDepth(camera, pixel.nearest, caught ? depthOfCaught(work.depth[i]) : work.depth[i]);
       float alpha = work.wide[3][i];
       if (bytes) alpha = static_cast<float>(work.color[i] >> 24) / 255;
-      seenThrough |= hit && !caught && alpha != 1;
+      seenThrough |= hit && !caught && !(std::abs(alpha - 1) <= kRounding);
       if (depthAlone) continue;
       const bool covered = (!hit || caught) && frame.backdrop && frame.backdrop->covers(x, y);
       if (covered)
         addBackdrop(*frame.backdrop, work, i, weight * (hit ? 1 - alpha : 1), bytes ? 255 : 1, pixel);
       if (covered) pixel.nearest = firstDepth(camera, pixel.nearest, BackdropLook::depthOf(camera));
       pixel.through += weight * work.through[i];
-      for (int c = 0; c < 4; ++c)
-        pixel.sum[c] +=
-            weight * (bytes ? static_cast<float>(work.color[i] >> (8 * c) & 255) : work.wide[c][i]);
+      for (int c = 0; c < 4; ++c) {
+        const float wide = limits ? limited(work.wide[c][i]) : work.wide[c][i];
+        pixel.sum[c] += weight * (bytes ? static_cast<float>(work.color[i] >> (8 * c) & 255) : wide);
+      }
     }
     if (seenThrough) frame.seenThrough.store(true, std::memory_order_relaxed);
   }
@@ -79,11 +80,14 @@ class Averages {
   }
 
  private:
+  static constexpr float kRounding = 0x1p-20f;  // of an interpolated alpha of 1
   struct Pixel {
     float sum[4] = {};
     float through = 0;
     float center = Image::kMiss, nearest = Image::kMiss;
   };
+  /// What is no number is 0.
+  static float limited(float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; }
   /// `scale`: what the value 1 is in sums.
   static void addBackdrop(const BackdropLook& backdrop, const Work& work, int i, float weight, float scale,
                           Pixel& pixel) {

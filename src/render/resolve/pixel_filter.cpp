@@ -73,6 +73,15 @@ double FilterCurve::radius() const {
   return filter_ == PixelFilter::mitchell ? 2 : 1.5;
 }
 
+std::vector<glm::dvec2> positionsInPixel(int count) {
+  constexpr double kPlastic = 1.32471795724474602596;
+  std::vector<glm::dvec2> positions;
+  for (int i = 0; i < std::max(count, 1); ++i)
+    positions.push_back(
+        glm::fract(0.5 + static_cast<double>(i) * glm::dvec2(1 / kPlastic, 1 / (kPlastic * kPlastic))));
+  return positions;
+}
+
 FilteredSamples filteredSamples(PixelFilter filter, std::vector<glm::dvec2> unitSquare) {
   if (filter == PixelFilter::box) return {std::move(unitSquare), {}};
   const FilterCurve curve(filter);

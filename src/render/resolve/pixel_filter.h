@@ -20,6 +20,11 @@ class FilterCurve {
   PixelFilter filter_;
 };
 
+/// Where samples of a pixel lie in the unit square: the R2 sequence (M. Roberts, "The Unreasonable
+/// Effectiveness of Quasirandom Sequences", 2018), which starts at the centre; every prefix is evenly
+/// distributed.
+std::vector<glm::dvec2> positionsInPixel(int count);
+
 struct FilteredSamples {
   std::vector<glm::dvec2> positions;  // from the pixel's lower left corner, in pixels
   std::vector<float> weights;         // empty: all 1

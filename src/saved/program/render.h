@@ -7,7 +7,14 @@
 extern "C" {
 #endif
 
-enum { kGlurayRenderVersion = 1 };
+enum { kGlurayRenderVersion = 2 };
+
+/* What rows of pictures have. */
+enum {
+  kGlurayBytes = 0,     /* RGBA8, red in the lowest byte: premultiplied displayed values */
+  kGlurayDisplayed = 1, /* four floats: the same, neither rounded nor limited to 0 .. 1 */
+  kGlurayLinear = 2     /* floats, the channels of an OpenEXR file */
+};
 
 typedef struct GlurayRenderRequest {
   int version;                 /* kGlurayRenderVersion */
@@ -18,6 +25,8 @@ typedef struct GlurayRenderRequest {
   int overlays;                /* text, axes and widgets that the program drew */
   int firstPicture;            /* pictures before it are not made */
   int firstBand;               /* nor bands of that picture before it */
+  int values;                  /* kGlurayBytes ... */
+  const char* layers;          /* of kGlurayLinear: names and commas; "all"; "": colours alone */
   int pictures;                /* the camera goes around the scene once in so many; 1: the saved view */
   const char* const* settings; /* "name=value": in place of those of the scene */
   int settingCount;
@@ -29,8 +38,11 @@ typedef struct GlurayRenderSink {
   /* A picture's number from 0, its size, rows of a band, and facts about the scene: JSON. 0: ends the work.
    */
   int (*begin)(void* user, int picture, int width, int height, int bandRows, const char* facts);
-  /* Premultiplied RGBA8, red in the lowest byte, top row first. 0: ends the work. */
-  int (*rows)(void* user, int band, int count, const uint32_t* pixels);
+  /* What OpenEXR files of the pictures have, for glurayWriteExr(), and how many values a pixel has: called
+   * before the first begin(), if `values` is kGlurayLinear. JSON. 0: ends the work. */
+  int (*channels)(void* user, int count, const char* header);
+  /* Pixels as the request's `values` says, top row first. 0: ends the work. */
+  int (*rows)(void* user, int band, int count, const void* pixels);
   /* The picture is whole. 0: ends the work. */
   int (*end)(void* user);
   /* One line about something that is not as in the program. */
@@ -40,6 +52,23 @@ typedef struct GlurayRenderSink {
 /* 1: all pictures are whole; 0: one line in `why`, empty if the sink has ended the work. */
 int glurayRender(const GlurayRenderRequest* request, const GlurayRenderSink* sink, char* why,
                  unsigned long whyBytes);
+
+/* An OpenEXR file of rows that glurayRender() has given. */
+typedef struct GlurayExrRequest {
+  int version; /* kGlurayRenderVersion */
+  const char* file;
+  int width, height;
+  int half;           /* colours have 16 bits a channel, not 32 */
+  const char* header; /* from GlurayRenderSink::channels */
+  const char* texts;  /* attributes of the header: a JSON object of texts */
+  void* user;
+  /* Gives a row from the top: values of all channels, pixel by pixel. 0: ends the work. */
+  int (*row)(void* user, int y, float* values);
+} GlurayExrRequest;
+
+/* 1: written; 0: one line in `why`, empty if `row` has ended the work; a file of that name stays as it was.
+ */
+int glurayWriteExr(const GlurayExrRequest* request, char* why, unsigned long whyBytes);
 
 /* Writes a saved scene in another program's form, which the ending of the file's name says: .glb, .obj, .ply.
  */

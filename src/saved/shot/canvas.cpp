@@ -21,6 +21,19 @@ uint32_t colorOf(const Image& image, size_t value, bool encodes) {
   return image.has(Plane::wideColor) ? bytesOf(&image.wideColor[4 * value], encodes) : image.color[value];
 }
 
+/// A displayed value, premultiplied.
+glm::vec4 wideColorOf(const Image& image, size_t value, bool encodes, bool limits) {
+  if (!image.has(Plane::wideColor)) return scene::wideOf(image.color[value]);
+  const float* const from = &image.wideColor[4 * value];
+  glm::vec4 color(from[0], from[1], from[2], std::clamp(from[3], 0.0f, 1.0f));
+  for (int c = 0; c < 3; ++c) {
+    if (!std::isfinite(color[c])) color[c] = 0;
+    if (encodes) color[c] = scene::encodedSrgb(color[c]);
+    if (limits) color[c] = std::clamp(color[c], 0.0f, 1.0f);
+  }
+  return color;
+}
+
 size_t pixelsOf(const scene::Region& r) {
   return static_cast<size_t>(r.width) * static_cast<size_t>(r.height);
 }
@@ -43,6 +56,14 @@ Canvas::Canvas(const scene::Region& region, int samples, const std::vector<uint3
     colors_.insert(colors_.end(), under.begin(), under.end());
 }
 
+Canvas::Canvas(const scene::Region& region, int samples, const std::vector<glm::vec4>& under, bool limits)
+    : region_(region), samples_(samples), limits_(limits) {
+  depths_.assign(pixelsOf(region) * static_cast<size_t>(samples), Image::kMiss);
+  if (under.empty()) wide_.assign(depths_.size(), glm::vec4(0));
+  for (int sample = 0; sample < samples && !under.empty(); ++sample)
+    wide_.insert(wide_.end(), under.begin(), under.end());
+}
+
 template <class Work>
 void Canvas::eachValue(const Image& image, const Work& work) const {
   const int left = std::max(image.x, region_.x), bottom = std::max(image.y, region_.y);
@@ -62,16 +83,23 @@ void Canvas::clearDepth(const scene::Region& box) {
   eachValue(shapeOf(box), [&](size_t, size_t to) { depths_[to] = Image::kMiss; });
 }
 
+void Canvas::draw(const Image& image, size_t from, bool encodes, bool opaque, size_t to) {
+  if (isWide()) {
+    const glm::vec4 color = wideColorOf(image, from, encodes, limits_);
+    wide_[to] = opaque ? glm::vec4(glm::vec3(color), 1) : scene::blended(color, wide_[to]);
+    return;
+  }
+  const uint32_t color = colorOf(image, from, encodes);
+  colors_[to] = opaque ? color | 0xff000000u : scene::blended(color, colors_[to]);
+}
+
 void Canvas::add(const Image& image, const DepthTest& test, bool encodes) {
   const bool averages = image.isAverages();
   eachValue(image, [&](size_t from, size_t to) {
     const float depth = image.depth[from];
     float& there = depths_[to];
-    const bool passes = there == Image::kMiss || (test.largestWins ? depth > there : depth < there) ||
-                        (!test.strict && depth == there);
-    if (depth == Image::kMiss || !passes) return;
-    const uint32_t color = colorOf(image, from, encodes);
-    colors_[to] = averages ? scene::blended(color, colors_[to]) : color | 0xff000000u;
+    if (!test.passes(depth, there)) return;
+    draw(image, from, encodes, !averages, to);
     const float written = averages ? image.centerDepth[from] : depth;
     if (test.writesDepth && written != Image::kMiss) there = written;
   });
@@ -79,8 +107,7 @@ void Canvas::add(const Image& image, const DepthTest& test, bool encodes) {
 
 void Canvas::addBlended(const Image& image, bool encodes) {
   eachValue(image, [&](size_t from, size_t to) {
-    if (image.depth[from] != Image::kMiss)
-      colors_[to] = scene::blended(colorOf(image, from, encodes), colors_[to]);
+    if (image.depth[from] != Image::kMiss) draw(image, from, encodes, false, to);
   });
 }
 
@@ -91,7 +118,10 @@ void Canvas::addSums(const Image& image) {
     if (!(sums[3] > 0) || !(opacity > 0)) return;
     const float share = opacity / sums[3];
     const float color[4] = {sums[0] * share, sums[1] * share, sums[2] * share, opacity};
-    colors_[to] = scene::blended(bytesOf(color, false), colors_[to]);
+    if (isWide())
+      wide_[to] = scene::blended(glm::vec4(color[0], color[1], color[2], color[3]), wide_[to]);
+    else
+      colors_[to] = scene::blended(bytesOf(color, false), colors_[to]);
   });
 }
 
@@ -108,6 +138,15 @@ std::vector<uint32_t> Canvas::colors() const {
   return means;
 }
 
+std::vector<glm::vec4> Canvas::wideColors() const {
+  const size_t pixels = wide_.size() / static_cast<size_t>(samples_);
+  std::vector<glm::vec4> means(wide_.begin(), wide_.begin() + static_cast<ptrdiff_t>(pixels));
+  for (size_t at = pixels; at < wide_.size(); ++at) means[at % pixels] += wide_[at];
+  if (samples_ > 1)
+    for (glm::vec4& mean : means) mean /= static_cast<float>(samples_);
+  return means;
+}
+
 std::vector<float> Canvas::opaqueDepths(const scene::Region& part) const {
   std::vector<float> depths(pixelsOf(part), -1.0f);
   const Canvas first(part, 1);
@@ -120,7 +159,9 @@ std::vector<float> Canvas::opaqueDepths(const scene::Region& part) const {
 std::vector<uint32_t> Canvas::colors(const scene::Region& part) const {
   std::vector<uint32_t> colors(pixelsOf(part));
   const Canvas first(part, 1);
-  first.eachValue(shapeOf(region_), [&](size_t from, size_t to) { colors[to] = colors_[from]; });
+  first.eachValue(shapeOf(region_), [&](size_t from, size_t to) {
+    colors[to] = isWide() ? bytesOf(&wide_[from].x, false) : colors_[from];
+  });
   return colors;
 }
 

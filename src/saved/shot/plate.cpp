@@ -24,23 +24,40 @@ bool areAlike(uint32_t a, uint32_t b) {
 }
 
 /// The mean of four neighbouring pixels by distance; the nearest ones beside the image.
-uint32_t sampled(const std::vector<uint32_t>& pixels, int width, int height, const glm::dvec2& place) {
-  const glm::dvec2 at = place - 0.5, low = glm::floor(at), share = at - low;
-  const auto pixel = [&](int dx, int dy) {
-    const int x = std::clamp(static_cast<int>(low.x) + dx, 0, width - 1),
-              y = std::clamp(static_cast<int>(low.y) + dy, 0, height - 1);
-    return pixels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];
-  };
-  const std::array<uint32_t, 4> near = {pixel(0, 0), pixel(1, 0), pixel(0, 1), pixel(1, 1)};
-  if (near[0] == near[1] && near[0] == near[2] && near[0] == near[3]) return near[0];
-  uint32_t mean = 0;
-  for (int c = 0; c < 4; ++c) {
-    const double below = channelOf(near[0], c) * (1 - share.x) + channelOf(near[1], c) * share.x,
-                 above = channelOf(near[2], c) * (1 - share.x) + channelOf(near[3], c) * share.x;
-    mean |= static_cast<uint32_t>(std::lround(below * (1 - share.y) + above * share.y)) << (8 * c);
+class Between {
+ public:
+  Between(const std::vector<uint32_t>& pixels, int width, int height, const glm::dvec2& place) {
+    const glm::dvec2 at = place - 0.5, low = glm::floor(at);
+    share_ = at - low;
+    const auto pixel = [&](int dx, int dy) {
+      const int x = std::clamp(static_cast<int>(low.x) + dx, 0, width - 1),
+                y = std::clamp(static_cast<int>(low.y) + dy, 0, height - 1);
+      return pixels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];
+    };
+    near_ = {pixel(0, 0), pixel(1, 0), pixel(0, 1), pixel(1, 1)};
   }
-  return mean;
-}
+  uint32_t bytes() const {
+    if (isEven()) return near_[0];
+    uint32_t mean = 0;
+    for (int c = 0; c < 4; ++c) mean |= static_cast<uint32_t>(std::lround(channel(c))) << (8 * c);
+    return mean;
+  }
+  glm::vec4 wide() const {
+    if (isEven()) return scene::wideOf(near_[0]);
+    return glm::dvec4(channel(0), channel(1), channel(2), channel(3)) / 255.0;
+  }
+
+ private:
+  bool isEven() const { return near_[0] == near_[1] && near_[0] == near_[2] && near_[0] == near_[3]; }
+  double channel(int c) const {
+    const double below = channelOf(near_[0], c) * (1 - share_.x) + channelOf(near_[1], c) * share_.x,
+                 above = channelOf(near_[2], c) * (1 - share_.x) + channelOf(near_[3], c) * share_.x;
+    return below * (1 - share_.y) + above * share_.y;
+  }
+
+  std::array<uint32_t, 4> near_{};
+  glm::dvec2 share_{0};
+};
 
 }  // namespace
 
@@ -129,11 +146,19 @@ void Plate::fillBehind(std::vector<uint8_t> known) {
 }
 
 uint32_t Plate::backgroundAt(const glm::dvec2& place) const {
-  return empty() ? 0 : sampled(background_, width_, height_, place);
+  return empty() ? 0 : Between(background_, width_, height_, place).bytes();
 }
 
 uint32_t Plate::overlayAt(const glm::dvec2& place) const {
-  return overlays_ == 0 ? 0 : sampled(overlay_, width_, height_, place);
+  return overlays_ == 0 ? 0 : Between(overlay_, width_, height_, place).bytes();
+}
+
+glm::vec4 Plate::wideBackgroundAt(const glm::dvec2& place) const {
+  return empty() ? glm::vec4(0) : Between(background_, width_, height_, place).wide();
+}
+
+glm::vec4 Plate::wideOverlayAt(const glm::dvec2& place) const {
+  return overlays_ == 0 ? glm::vec4(0) : Between(overlay_, width_, height_, place).wide();
 }
 
 void Plate::clearBackground() {

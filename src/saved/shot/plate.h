@@ -32,6 +32,9 @@ class Plate {
   uint32_t backgroundAt(const glm::dvec2& place) const;
   /// What stands over surfaces there: premultiplied RGBA8.
   uint32_t overlayAt(const glm::dvec2& place) const;
+  /// The same as floats, without the rounding of what lies between pixels.
+  glm::vec4 wideBackgroundAt(const glm::dvec2& place) const;
+  glm::vec4 wideOverlayAt(const glm::dvec2& place) const;
   /// Replaces the background by the middle colour of each row: without text and axes that stand before it.
   void clearBackground();
 

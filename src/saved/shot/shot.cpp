@@ -22,6 +22,9 @@ constexpr int kFilterReach = 32;  // pixels around a band that change its filter
 
 bool isEmpty(const scene::Region& r) { return r.width <= 0 || r.height <= 0; }
 
+/// Whether it blends with the colours below, of bytes.
+bool isDrawn(const scene::Snapshot& s) { return s.layers && s.layers->of == Of::drawn; }
+
 bool isFiltered(const scene::Snapshot& s) {
   return scene::wantsLight(s.settings) && s.settings.denoise != Denoise::off;
 }
@@ -30,17 +33,6 @@ bool isFiltered(const scene::Snapshot& s) {
 bool isNoisy(const scene::Snapshot& s) { return scene::wantsLight(s.settings) || s.settings.spp > 1; }
 
 }  // namespace
-
-/// A batch as the picture shows it.
-struct Shot::Placed {
-  scene::Snapshot snapshot;
-  DepthTest test;
-  std::vector<scene::Region> cleared;  // pixels of the picture
-  // Of layers: depths of opaque surfaces that the real OpenGL drew in the window, one per pixel of
-  // `window`, the region there; negative: none.
-  std::vector<float> rasterised;
-  scene::Region window;
-};
 
 Shot::Shot(SavedScene scene, const ShotOptions& options, frame::Renderer& renderer)
     : scene_(std::move(scene)), options_(options), renderer_(renderer) {
@@ -196,7 +188,8 @@ void Shot::draw(Placed& placed, const scene::Region& band, Canvas& canvas) const
   for (const scene::Region& box : placed.cleared) canvas.clearDepth(box);
   const scene::Region part = common(placed.snapshot.region, band);
   if (isEmpty(part)) return;
-  const scene::Snapshot s = partOf(placed, part, canvas);
+  scene::Snapshot s = partOf(placed, part, canvas);
+  if (canvas.isWide() && !isDrawn(s)) s.wideColors = true, s.limitedSamples = canvas.limits();
   frame::TracedImages images(frame::Tracer{
       .trace = [this](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                       std::string& error) { return renderer_.render(snapshot, image, cost, error); }});
@@ -211,38 +204,73 @@ void Shot::draw(Placed& placed, const scene::Region& band, Canvas& canvas) const
   canvas.add(image, always, s.encodes);
 }
 
-/// What stands behind the surfaces of a band; empty: nothing.
-std::vector<uint32_t> Shot::behind(const scene::Region& band) const {
-  std::vector<uint32_t> colors;
-  if (plate_.empty()) return colors;
-  colors.reserve(static_cast<size_t>(band.width) * static_cast<size_t>(band.height));
-  for (int y = 0; y < band.height; ++y)
-    for (int x = 0; x < band.width; ++x)
-      colors.push_back(showsWindow()
-                           ? plate_.windowBackgroundAt({band.x + x, band.y + y})
-                           : plate_.backgroundAt(frame_->windowOf({band.x + x + 0.5, band.y + y + 0.5})));
-  return colors;
+scene::Region Shot::regionOf(int band) const {
+  const int top = size().y - band * bandRows_, bottom = std::max(0, top - bandRows_);
+  return {0, bottom, size().x, top - bottom};
+}
+
+template <class Color, class Background, class Start>
+Canvas Shot::drawn(const scene::Region& band, const Background& background, const Start& start) {
+  const scene::Region around =
+      common({0, band.y - margin_, band.width, band.height + 2 * margin_}, {0, 0, size().x, size().y});
+  std::vector<Color> under;
+  if (!plate_.empty()) {
+    under.reserve(static_cast<size_t>(around.width) * static_cast<size_t>(around.height));
+    for (int y = 0; y < around.height; ++y)
+      for (int x = 0; x < around.width; ++x)
+        under.push_back(background(frame_->windowOf({around.x + x + 0.5, around.y + y + 0.5})));
+  }
+  Canvas canvas = start(around, under);
+  for (Placed& placed : placed_) draw(placed, around, canvas);
+  return canvas;
+}
+
+/// The rows of a band from its top, under what stands over surfaces.
+template <class Color, class Overlay>
+std::vector<Color> Shot::rowsOf(const scene::Region& band, const Canvas& canvas,
+                                const std::vector<Color>& colors, const Overlay& overlay) const {
+  const bool changes = plate_.hasOverlays() || showsWindow();
+  std::vector<Color> rows;
+  rows.reserve(static_cast<size_t>(band.width) * static_cast<size_t>(band.height));
+  for (int y = band.y + band.height - 1; y >= band.y; --y)
+    for (int x = 0; x < band.width; ++x) {
+      const Color& color =
+          colors[static_cast<size_t>(y - canvas.region().y) * static_cast<size_t>(band.width) +
+                 static_cast<size_t>(x)];
+      rows.push_back(changes ? overlay(frame_->windowOf({x + 0.5, y + 0.5}), color) : color);
+    }
+  return rows;
 }
 
 std::vector<uint32_t> Shot::band(int number) {
-  const glm::ivec2 all = size();
-  const int top = all.y - number * bandRows_, bottom = std::max(0, top - bandRows_);
-  const scene::Region band =
-      common({0, bottom - margin_, all.x, top - bottom + 2 * margin_}, {0, 0, all.x, all.y});
-  Canvas canvas(band, samples_, behind(band));
-  for (Placed& placed : placed_) draw(placed, band, canvas);
-  const std::vector<uint32_t> colors = canvas.colors();
-  std::vector<uint32_t> rows;
-  rows.reserve(static_cast<size_t>(all.x) * static_cast<size_t>(top - bottom));
-  for (int y = top - 1; y >= bottom; --y)
-    for (int x = 0; x < all.x; ++x) {
-      const uint32_t color =
-          colors[static_cast<size_t>(y - band.y) * static_cast<size_t>(all.x) + static_cast<size_t>(x)];
-      const uint32_t over = plate_.hasOverlays() ? plate_.overlayAt(frame_->windowOf({x + 0.5, y + 0.5})) : 0;
-      const uint32_t pixel = over ? scene::blended(over, color) : color;
-      rows.push_back(showsWindow() ? plate_.roundedAsShown({x, y}, pixel) : pixel);
-    }
-  return rows;
+  const scene::Region band = regionOf(number);
+  const Canvas canvas = drawn<uint32_t>(
+      band,
+      [&](const glm::dvec2& place) {
+        return showsWindow() ? plate_.windowBackgroundAt(glm::ivec2(place)) : plate_.backgroundAt(place);
+      },
+      [&](const scene::Region& region, const auto& under) { return Canvas(region, samples_, under); });
+  return rowsOf(band, canvas, canvas.colors(), [&](const glm::dvec2& place, uint32_t color) {
+    const uint32_t over = plate_.overlayAt(place), pixel = over ? scene::blended(over, color) : color;
+    return showsWindow() ? plate_.roundedAsShown(glm::ivec2(place), pixel) : pixel;
+  });
+}
+
+std::vector<glm::vec4> Shot::wideBand(int number, Range range) {
+  const scene::Region band = regionOf(number);
+  const Canvas canvas = drawn<glm::vec4>(
+      band,
+      [&](const glm::dvec2& place) {
+        return showsWindow() ? scene::wideOf(plate_.windowBackgroundAt(glm::ivec2(place)))
+                             : plate_.wideBackgroundAt(place);
+      },
+      [&](const scene::Region& region, const auto& under) {
+        return Canvas(region, samples_, under, range == Range::limited);
+      });
+  return rowsOf(band, canvas, canvas.wideColors(), [&](const glm::dvec2& place, const glm::vec4& color) {
+    const glm::vec4 over = plate_.wideOverlayAt(place);
+    return over.a > 0 ? scene::blended(over, color) : color;
+  });
 }
 
 }  // namespace gluray::saved

@@ -29,6 +29,17 @@ struct ShotOptions {
 
 class Shot {
  public:
+  /// A batch as the picture shows it.
+  struct Placed {
+    scene::Snapshot snapshot;
+    DepthTest test;
+    std::vector<scene::Region> cleared;  // pixels of the picture
+    // Of layers: depths of opaque surfaces that the real OpenGL drew in the window, one per pixel of
+    // `window`, the region there; negative: none.
+    std::vector<float> rasterised;
+    scene::Region window;
+  };
+
   /// Throws std::runtime_error with one line if no picture
   /// can be made.
   Shot(SavedScene scene, const ShotOptions& options, frame::Renderer& renderer);
@@ -43,11 +54,21 @@ class Shot {
   /// Traces band `number`, 0 at the top. Premultiplied RGBA8, top row first. Throws std::runtime_error with
   /// one line.
   std::vector<uint32_t> band(int number);
+  /// The same as displayed values of floats, which are not rounded. What the real OpenGL drew, and what is
+  /// blended in the order of drawing, has the values of bytes.
+  enum class Range : bool {
+    limited,  // samples are 0 .. 1, as in the window
+    open      // light may be brighter
+  };
+  std::vector<glm::vec4> wideBand(int number, Range range);
+  /// The pixels of a band; the lowest row of the picture is 0.
+  scene::Region regionOf(int band) const;
+  /// All batches, in the order of drawing.
+  const std::vector<Placed>& placed() const { return placed_; }
   /// What is not as in the program; a line each.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  struct Placed;
   void look();
   Placed placedIn(const ShotFrame& frame, const SavedBatch& batch) const;
   void place(const SavedBatch& batch);
@@ -55,7 +76,13 @@ class Shot {
   Canvas windowOf(const std::vector<SavedBatch>& batches, uint64_t view);
   void draw(Placed& placed, const scene::Region& band, Canvas& canvas) const;
   scene::Snapshot partOf(const Placed& placed, const scene::Region& part, const Canvas& canvas) const;
-  std::vector<uint32_t> behind(const scene::Region& band) const;
+  /// Draws a band. `start` makes the canvas of a region and what stands behind surfaces there; `background`
+  /// gives that at a place of the window.
+  template <class Color, class Background, class Start>
+  Canvas drawn(const scene::Region& band, const Background& background, const Start& start);
+  template <class Color, class Overlay>
+  std::vector<Color> rowsOf(const scene::Region& band, const Canvas& canvas, const std::vector<Color>& colors,
+                            const Overlay& overlay) const;
   void note(const std::string& text);
   bool knowsWindow() const {
     return scene_.shown.width == scene_.window.x && scene_.shown.height == scene_.window.y;

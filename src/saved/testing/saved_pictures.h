@@ -25,6 +25,12 @@ inline SavedScene sceneOf(const scene::Snapshot& s) {
   return scene;
 }
 
+/// Without ambient occlusion.
+inline scene::Snapshot unlit(scene::Snapshot s) {
+  s.settings.ao.enabled = false;
+  return s;
+}
+
 /// What the program gets of it, over a background; bottom row first.
 inline std::vector<uint32_t> shownBy(const scene::Snapshot& s, uint32_t background = kBackground) {
   frame::test::CountingTrace tracer;

@@ -13,7 +13,6 @@ namespace gluray::launcher {
 namespace {
 
 constexpr size_t kDigits = 4, kMaxDigits = 9;
-const std::string kEnding = ".png";
 
 bool readRampEnd(std::string_view text, double& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -31,12 +30,12 @@ std::string FilmName::pattern() const {
   return before + (digits > 1 ? "%0" + std::to_string(digits) + "d" : "%d") + after;
 }
 
-std::string readFilmName(const std::string& text, FilmName& name) {
-  if (!text.ends_with(kEnding) || text.size() == kEnding.size() || text.ends_with("/" + kEnding))
-    return text + ": use a name that ends in .png, such as film-%04d.png";
+std::string readFilmName(const std::string& text, FilmName& name, const std::string& ending) {
+  if (!text.ends_with(ending) || text.size() == ending.size() || text.ends_with("/" + ending))
+    return text + ": use a name that ends in " + ending + ", such as film-%04d" + ending;
   const size_t sign = text.find('%');
   if (sign == text.npos) {
-    name = {text.substr(0, text.size() - kEnding.size()), kEnding, kDigits};
+    name = {text.substr(0, text.size() - ending.size()), ending, kDigits};
     if (!name.before.ends_with('-') && !name.before.ends_with('_')) name.before += '-';
     return "";
   }

@@ -19,8 +19,8 @@ struct FilmName {
 };
 
 /// Reads "turn-%04d.png", "turn-%d.png", or "turn.png", whose number goes before .png. Empty, or one line
-/// that says what is wrong.
-std::string readFilmName(const std::string& text, FilmName& name);
+/// that says what is wrong. `ending`: of the names.
+std::string readFilmName(const std::string& text, FilmName& name, const std::string& ending = ".png");
 
 /// A setting that varies linearly over a film.
 struct Ramp {

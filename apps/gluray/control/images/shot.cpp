@@ -54,10 +54,13 @@ void tell(const CommandLine& line, const RunningProgram& program, nlohmann::json
 
 int saveShot(const CommandLine& line) {
   const std::string file = line.control.file;
-  if (const std::string why = whyNotInto(file); !why.empty()) return say(why), kUsageError;
+  PictureOptions options = line.picture;
+  options.file = file;
+  for (const std::string& why : {whyNoPictureInto(file), whyNotOf(options)})
+    if (!why.empty()) return say(why), kUsageError;
   HubSession hub(line);
   const RunningProgram program = oneProgram(hub);
-  if (line.picture.anything() || !line.settings.all().empty()) {
+  if (options.anything() || !line.settings.all().empty()) {
     const RenderedPicture picture = labelled(program, [&] { return pictureOf(hub, program, line); });
     for (const std::string& note : picture.notes) say(note);
     tell(line, program, {{"width", picture.width}, {"height", picture.height}, {"notes", picture.notes}});

@@ -5,9 +5,9 @@
 #include "control/messages/members.h"
 #include "control/one_program.h"
 
-#include <array>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace gluray::launcher {
 namespace {
@@ -16,6 +16,23 @@ using nlohmann::json;
 
 constexpr int kMaxSide = 1 << 15;  // pixels
 const char kNoImage[] = "it sends no image";
+
+bool isNamed(const std::string& file, std::string_view ending) {
+  return file.ends_with(ending) && file.size() > ending.size();
+}
+
+/// What keeps a file of this name from being replaced: it is another one than such a `form`, which begins
+/// with `magic`.
+std::string whyNotOver(const std::string& file, std::string_view magic, const char* form) {
+  std::error_code error;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) return "";
+  std::string begin(magic.size(), '\0');
+  const bool regular = std::filesystem::is_regular_file(std::filesystem::symlink_status(file, error));
+  if (regular)
+    std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (begin == magic) return "";
+  return printable(file) + " exists and is no " + form + " file; remove it, or use another name";
+}
 
 int sideIn(const json& value, const char* name, int most) {
   const auto side = control::wholeNumber(control::member(value, name), 1, most);
@@ -26,15 +43,14 @@ int sideIn(const json& value, const char* name, int most) {
 }  // namespace
 
 std::string whyNotInto(const std::string& file) {
-  if (!file.ends_with(".png") || file.size() < 5) return printable(file) + ": use a name that ends in .png";
-  std::error_code error;
-  if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) return "";
-  constexpr std::array<unsigned char, 8> kPng{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  std::array<unsigned char, 8> begin{};
-  const bool regular = std::filesystem::is_regular_file(std::filesystem::symlink_status(file, error));
-  if (regular)
-    std::ifstream(file, std::ios::binary).read(reinterpret_cast<char*>(begin.data()), begin.size());
-  return begin == kPng ? "" : printable(file) + " exists and is no PNG file; remove it, or use another name";
+  if (!isNamed(file, ".png")) return printable(file) + ": use a name that ends in .png";
+  return whyNotOver(file, "\x89PNG\r\n\x1a\n", "PNG");
+}
+
+std::string whyNoPictureInto(const std::string& file) {
+  if (isNamed(file, ".exr")) return whyNotOver(file, "\x76\x2f\x31\x01", "OpenEXR");
+  return isNamed(file, ".png") ? whyNotInto(file)
+                               : printable(file) + ": use a name that ends in .png or .exr";
 }
 
 Shot takeShot(HubSession& hub, const RunningProgram& program) {

@@ -12,6 +12,8 @@ namespace gluray::launcher {
 /// What keeps an image from being written into the file: its name does not end in .png, or something else
 /// than a PNG file stands there. Empty: nothing is known.
 std::string whyNotInto(const std::string& file);
+/// The same of pictures that are rendered, whose names may end in .exr: OpenEXR files.
+std::string whyNoPictureInto(const std::string& file);
 
 struct WindowImage {
   Pixels pixels;
