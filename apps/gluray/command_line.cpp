@@ -128,17 +128,13 @@ void describeRender(CLI::App& app, CommandLine& line) {
       "had\n"
       "or others. If it is interrupted, the same command goes on where it ended. Overwrites PNG files only.");
   app.name("gluray render");
-  app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray")->required();
-  app.add_option("FILE", line.picture.file, "Name of the picture, ending in .png")->required();
+  app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray");
+  app.add_option("FILE", line.picture.file, "Name of the picture, ending in .png; - with --y4m");
   addPictureOptions(app, line.picture);
-  app.add_option(
-         "--turntable", line.picture.turntable,
-         "N numbered pictures (FILE is a pattern such as turn-%04d.png) of a camera that goes around the\n"
-         "scene once, without overlays")
-      ->check(CLI::Range(1, 100000))
-      ->type_name("N");
+  addFilmOptions(app, line.picture);
   app.add_flag("--json", line.json, "Print JSON");
   addSettingOptions(app, line.settings, false);
+  addRepeatOption(app, line.picture, {"SCENE", "FILE"});
 }
 
 void describeExport(CLI::App& app, CommandLine& line) {
@@ -253,7 +249,7 @@ int firstProgramWord(const CLI::App& app, int first, int argc, char** argv) {
 
 }  // namespace
 
-Parsed parse(int argc, char** argv) {
+Parsed parse(int argc, char** argv, bool quiet) {
   Parsed parsed;
   CLI::App app("Runs an OpenGL program and ray traces what it draws.", "gluray");
   app.set_version_flag("--version", "gluray " GLURAY_VERSION);
@@ -268,13 +264,13 @@ Parsed parse(int argc, char** argv) {
   try {
     app.parse(std::vector<std::string>(own.rbegin(), own.rend()));
   } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
+    if (!quiet) std::cout << app.help();
     return parsed;
   } catch (const CLI::CallForVersion& version) {
-    std::cout << version.what() << "\n";
+    if (!quiet) std::cout << version.what() << "\n";
     return parsed;
   } catch (const CLI::ParseError& error) {
-    parsed.exitCode = complain(error.what());
+    parsed.exitCode = quiet ? kUsageError : complain(error.what());
     return parsed;
   }
   if (!runs) return parsed.run = true, parsed;

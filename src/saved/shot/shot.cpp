@@ -66,19 +66,21 @@ void Shot::look() {
     return s.catches || !s.colorWrites.all() || s.instances.empty();
   });
   if (scene_.batches.empty()) throw std::runtime_error("it shows no traced surface");
-  if (options_.turn == 0) {
-    for (const SavedBatch& batch : scene_.batches) place(batch);
-  } else {
-    std::vector<scene::SnapshotPtr> views;
-    for (const SavedBatch& batch : scene_.batches) views.push_back(batch.snapshot);
-    views = turned(views, options_.turn);
-    for (size_t i = 0; i < views.size(); ++i) {
-      SavedBatch batch = scene_.batches[i];
-      batch.snapshot = views[i];
-      place(batch);
-    }
+  const std::vector<scene::SnapshotPtr> snapshots = views();
+  for (size_t i = 0; i < snapshots.size(); ++i) {
+    SavedBatch batch = scene_.batches[i];
+    batch.snapshot = snapshots[i];
+    place(batch);
   }
   lookAtWindow();
+}
+
+/// The batches as the picture's camera sees them.
+std::vector<scene::SnapshotPtr> Shot::views() const {
+  std::vector<scene::SnapshotPtr> saved;
+  for (const SavedBatch& batch : scene_.batches) saved.push_back(batch.snapshot);
+  if (!options_.movesCamera()) return saved;
+  return options_.camera ? seenFrom(saved, *options_.known, *options_.camera) : turned(saved, options_.turn);
 }
 
 /// The batch as a picture of this frame shows it.
@@ -107,14 +109,14 @@ void Shot::place(const SavedBatch& batch) {
 void Shot::lookAtWindow() {
   const bool knowsWindow = scene_.shown.width == scene_.window.x && scene_.shown.height == scene_.window.y;
   const bool wantsPlate = knowsWindow && !options_.transparent;
-  if (frame_->isWindow() && !wantsPlate && bands() == 1 && options_.turn == 0) return;
+  if (frame_->isWindow() && !wantsPlate && bands() == 1 && !options_.movesCamera()) return;
   const ShotFrame window(scene_.window, scene_.window, Fit::all);
   const scene::Region all{0, 0, scene_.window.x, scene_.window.y};
   Canvas canvas(all, samples_);
   for (size_t i = 0; i < placed_.size(); ++i) {
     Placed placed = placedIn(window, scene_.batches[i]);
     const auto& layers = placed.snapshot.layers;
-    if (layers && layers->of != Of::drawn && options_.turn == 0) {
+    if (layers && layers->of != Of::drawn && !options_.movesCamera()) {
       placed_[i].window = placed.snapshot.region;
       placed_[i].rasterised = layers->opaqueDepth;
       const std::vector<float> traced = canvas.opaqueDepths(placed.snapshot.region);
@@ -125,7 +127,7 @@ void Shot::lookAtWindow() {
   }
   if (!wantsPlate) return;
   plate_ = Plate(scene_.shown, canvas.colors());
-  if (!options_.overlays || options_.turn != 0)
+  if (!options_.overlays || options_.movesCamera())
     plate_.clearBackground();
   else if (!frame_->isWindow())
     note("text, axes and widgets of the program are enlarged from the window's pixels");
@@ -136,7 +138,7 @@ scene::Snapshot Shot::partOf(const Placed& placed, const scene::Region& part, co
   scene::Snapshot s = placed.snapshot;
   s.region = part;
   if (!s.layers) return s;
-  const bool whole = part == placed.snapshot.region && frame_->isWindow() && options_.turn == 0;
+  const bool whole = part == placed.snapshot.region && frame_->isWindow() && !options_.movesCamera();
   if (whole) return s;
   auto layers = std::make_shared<scene::Layers>(*s.layers);
   layers->opaqueDepth = canvas.opaqueDepths(part);

@@ -3,12 +3,14 @@
 #include "frame/tracing/renderer.h"
 #include "saved/scene/saved_scene.h"
 #include "saved/shot/canvas.h"
+#include "saved/shot/path_view.h"
 #include "saved/shot/plate.h"
 #include "saved/shot/shot_frame.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +23,13 @@ struct ShotOptions {
   bool transparent = false;  // the background
   bool overlays = true;      // text, axes and widgets that the program drew
   double turn = 0;           // degrees by which the camera goes around the scene: then without overlays
+  // A camera of a path, in the world of `known`, in place of a turn: also without overlays.
+  std::optional<ViewCamera> camera;
+  std::shared_ptr<const KnownView> known;
   int bandPixels = 1 << 21;  // traced together; some 68 bytes each while light is refined
+
+  /// Whether the camera is another one than the saved view's.
+  bool movesCamera() const { return turn != 0 || (camera && !(*camera == known->camera)); }
 };
 
 class Shot {
@@ -46,6 +54,7 @@ class Shot {
  private:
   struct Placed;
   void look();
+  std::vector<scene::SnapshotPtr> views() const;
   static Placed placedIn(const ShotFrame& frame, const SavedBatch& batch);
   void place(const SavedBatch& batch);
   void lookAtWindow();
