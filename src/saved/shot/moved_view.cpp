@@ -56,12 +56,9 @@ void makeRoom(const glm::dvec3& middle, double radius, Planes planes, glm::dmat4
 void enlarge(const Zoom& zoom, glm::dmat4& clipFromEye) {
   if (zoom.factor == 1) return;
   glm::dmat4 rows = glm::transpose(clipFromEye);
-  const glm::dvec3 w(rows[3]);
+  const glm::dvec4 ahead(zoom.ahead, 1);
   for (int i = 0; i < 2; ++i) {
-    const glm::dvec3 row(rows[i]);
-    const glm::dvec4 middle = w == glm::dvec3(0)
-                                  ? glm::dvec4(0, 0, 0, glm::dot(rows[i], glm::dvec4(zoom.viewer, 1)))
-                                  : glm::dot(row, w) / glm::dot(w, w) * rows[3];
+    const glm::dvec4 middle = glm::dot(rows[i], ahead) / glm::dot(rows[3], ahead) * rows[3];
     rows[i] = middle + zoom.factor * (rows[i] - middle);
   }
   clipFromEye = glm::transpose(rows);
@@ -91,14 +88,22 @@ void move(const glm::dmat4& by, std::vector<scene::Instance>& instances) {
   for (scene::Instance& instance : instances) {
     const glm::dmat4 eyeFromObject = instance.eyeFromObject,
                      inObject = glm::inverse(eyeFromObject) * by * eyeFromObject;
-    const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(inObject)));
     instance.eyeFromObject = by * eyeFromObject;
     // The identity says that a program has no such matrix, and lights surfaces by their normals alone.
     const bool byNormals =
         instance.mesh->shape == scene::Shape::triangles && instance.lightingFromObject == glm::mat4(1);
-    if (!byNormals)
-      instance.lightingFromObject = glm::mat4(glm::dmat4(instance.lightingFromObject) * inObject);
-    instance.normalMatrix = glm::mat3(glm::dmat3(instance.normalMatrix) * normals);
+    const glm::dmat4 lighting(instance.lightingFromObject);
+    glm::dmat3 normals(instance.normalMatrix);
+    if (byNormals) {
+      normals = normals * glm::transpose(glm::inverse(glm::dmat3(inObject)));
+    } else {
+      // Positions may be scaled against normals: these turn where lights are.
+      const glm::dmat3 turn(lighting * inObject * glm::inverse(lighting));
+      normals = glm::transpose(glm::inverse(turn)) * normals;
+      instance.impostors.axisMatrix = glm::mat3(turn * glm::dmat3(instance.impostors.axisMatrix));
+      instance.lightingFromObject = glm::mat4(lighting * inObject);
+    }
+    instance.normalMatrix = glm::mat3(normals);
     for (glm::dvec4& plane : instance.clipPlanes) plane = planes * plane;
   }
 }

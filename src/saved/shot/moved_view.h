@@ -34,7 +34,7 @@ enum class Planes {
 /// How much larger things are in the window.
 struct Zoom {
   double factor = 1;
-  glm::dvec3 viewer{0};  // eye space: where the viewer stands, or a point behind or before it
+  glm::dvec3 ahead{0, 0, -1};  // eye space: a point before the viewer, on the line of sight
 };
 
 /// The batch with its surfaces moved in its eye space. Lights stay at the camera. `box`: of the view's

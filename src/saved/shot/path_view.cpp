@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -14,32 +15,53 @@ namespace {
 
 using scene::SnapshotPtr;
 
-/// Whether lengths of eye space are those of the world, as far as its projection shows.
-bool hasUnit(const glm::dmat4& clipFromEye, const SeenCamera& eye) {
-  if (eye.parallel) return true;  // the height of the view says so
-  return std::abs(glm::length(glm::dvec3(glm::transpose(clipFromEye)[3])) - 1) <= 1e-3;
+constexpr double kComputed = 1e-4;  // of matrices that programs compute in floats
+constexpr double kWritten = 1e-3;   // of cameras that people write down
+
+bool areNear(const glm::dvec3& a, const glm::dvec3& b, double within) { return glm::length(a - b) <= within; }
+
+/// Whether the matrix comes from the camera's own space, with the world's lengths.
+bool isOfCamera(const glm::dmat4& clipFromSpace, const ViewCamera& camera) {
+  const auto seen = seenCamera(clipFromSpace);
+  if (!seen || !areEquallyHigh(*seen, camera, kWritten) || !areNear(seen->right, {1, 0, 0}, kComputed) ||
+      !areNear(seen->up, {0, 1, 0}, kComputed) || !areNear(seen->back, {0, 0, 1}, kComputed))
+    return false;
+  if (seen->parallel) return areEquallyHigh(*seen, camera, kComputed);
+  const double unit = glm::length(glm::dvec3(glm::transpose(clipFromSpace)[3]));
+  return std::abs(unit - 1) <= kComputed &&
+         glm::length(seen->position) <= kComputed * glm::length(camera.position - camera.focalPoint);
 }
 
-/// The eye space of a batch whose camera stands in the world as somebody says.
-glm::dmat4 eyeFromWorldOf(const SeenCamera& eye, const ViewCamera& camera) {
-  // Eye space may be turned and moved against the camera's own.
-  const glm::dmat3 axes(eye.right, eye.up, eye.back);
-  glm::dmat4 eyeFromCamera(axes);
-  eyeFromCamera[3] = glm::dvec4(eye.position, 1);
-  if (eye.parallel) {  // the viewer is anywhere on a line
-    const double along = glm::dot(eye.position, eye.back);
-    eyeFromCamera[3] -= glm::dvec4(along * eye.back, 0);
+/// A batch's eye space from the camera's own, where the program has that: it is eye space itself, or that of
+/// its lighting.
+std::optional<glm::dmat4> eyeFromCameraOf(const scene::Snapshot& batch, const ViewCamera& camera) {
+  const glm::dmat4& clipFromEye = batch.camera.clipFromEye;
+  if (isOfCamera(clipFromEye, camera)) return glm::dmat4(1);
+  for (const scene::Instance& instance : batch.instances) {
+    if (instance.lightingFromObject == glm::mat4(1)) continue;
+    const glm::dmat4 own = instance.eyeFromObject * glm::inverse(glm::dmat4(instance.lightingFromObject));
+    if (isOfCamera(clipFromEye * own, camera)) return own;
   }
-  return eyeFromCamera * *cameraFromWorld(camera);
+  return std::nullopt;
 }
 
 /// Whether the axes of an object's space are those of the world that the camera stands in.
-bool hasWorldAxes(const SeenCamera& eye, const glm::dmat4& eyeFromObject, const ViewCamera& camera) {
-  const glm::dmat3 axes(eye.right, eye.up, eye.back), world(*cameraFromWorld(camera)),
-      object = glm::transpose(axes) * glm::dmat3(eyeFromObject);
+bool hasWorldAxes(const glm::dmat4& cameraFromObject, const ViewCamera& camera) {
+  const glm::dmat3 world(*cameraFromWorld(camera)), object(cameraFromObject);
   for (int i = 0; i < 3; ++i)
-    if (!(glm::length(glm::normalize(object[i]) - world[i]) <= 1e-3)) return false;
+    if (!areNear(glm::normalize(object[i]), world[i], kWritten)) return false;
   return true;
+}
+
+/// Whether some surface's object space is the world in which the camera is that of the saved view.
+std::optional<KnownView> foundIn(const SnapshotPtr& batch, const ViewCamera& camera) {
+  const std::optional<glm::dmat4> own = eyeFromCameraOf(*batch, camera);
+  for (const scene::Instance& instance : batch->instances) {
+    const auto seen = seenCamera(batch->camera.clipFromEye * instance.eyeFromObject);
+    if (!seen || !areAlike(*seen, camera, own ? kWritten : kComputed)) continue;
+    return KnownView{camera, batch, own ? *own * *cameraFromWorld(camera) : instance.eyeFromObject};
+  }
+  return std::nullopt;
 }
 
 std::string heightOf(bool parallel, double halfHeight) {
@@ -54,7 +76,7 @@ std::string heightOf(bool parallel, double halfHeight) {
 [[noreturn]] void refuseStated(const std::vector<SnapshotPtr>& batches, const ViewCamera& camera) {
   for (const SnapshotPtr& batch : batches)
     if (const auto seen = seenCamera(batch->camera.clipFromEye);
-        seen && isRectangular(*seen) && !areEquallyHigh(*seen, camera))
+        seen && isRectangular(*seen) && !areEquallyHigh(*seen, camera, kWritten))
       throw std::runtime_error("--saved-camera is not the camera of the saved view: it has " +
                                heightOf(camera.isParallel(), halfHeightOf(camera)) + ", the scene " +
                                heightOf(seen->parallel, seen->halfHeight));
@@ -70,20 +92,13 @@ KnownView knownView(const std::vector<SnapshotPtr>& batches, std::span<const Vie
     if (!cameraFromWorld(camera))
       throw std::runtime_error("a camera of the path looks nowhere, or upwards along its line of sight");
   for (const SnapshotPtr& batch : batches)
-    for (const scene::Instance& instance : batch->instances) {
-      const auto seen = seenCamera(batch->camera.clipFromEye * instance.eyeFromObject);
-      if (!seen) continue;
-      for (const ViewCamera& camera : cameras)
-        if (areAlike(*seen, camera)) return {camera, batch, instance.eyeFromObject};
-    }
+    for (const ViewCamera& camera : cameras)
+      if (const auto found = foundIn(batch, camera)) return *found;
   for (const SnapshotPtr& batch : stated ? batches : std::vector<SnapshotPtr>()) {
-    const auto eye = seenCamera(batch->camera.clipFromEye);
-    if (!eye || !isRectangular(*eye) || !hasUnit(batch->camera.clipFromEye, *eye) ||
-        !areEquallyHigh(*eye, cameras[0]))
-      continue;
+    const auto own = eyeFromCameraOf(*batch, cameras[0]);
     for (const scene::Instance& instance : batch->instances)
-      if (hasWorldAxes(*eye, instance.eyeFromObject, cameras[0]))
-        return {cameras[0], batch, eyeFromWorldOf(*eye, cameras[0])};
+      if (own && hasWorldAxes(glm::inverse(*own) * instance.eyeFromObject, cameras[0]))
+        return {cameras[0], batch, *own * *cameraFromWorld(cameras[0])};
   }
   if (stated) refuseStated(batches, cameras[0]);
   throw std::runtime_error(
@@ -110,9 +125,9 @@ std::vector<SnapshotPtr> seenFrom(const std::vector<SnapshotPtr>& batches, const
     glm::dmat4 ownFromKnown(1);
     if (sharesView(*batch, *known.batch, ownFromKnown)) {
       const glm::dmat4 own = ownFromKnown * by * glm::inverse(ownFromKnown);
-      const glm::dvec3 viewer(ownFromKnown * known.eyeFromWorld * glm::dvec4(known.camera.position, 1));
+      const glm::dvec3 ahead(ownFromKnown * known.eyeFromWorld * glm::dvec4(known.camera.focalPoint, 1));
       const Box box = boxOfView(*batch, batches, own);
-      result.push_back(box.empty() ? batch : moved(*batch, own, box, Planes::tight, {zoom, viewer}));
+      result.push_back(box.empty() ? batch : moved(*batch, own, box, Planes::tight, {zoom, ahead}));
       continue;
     }
     const auto eye = seenCamera(batch->camera.clipFromEye);

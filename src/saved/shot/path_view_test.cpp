@@ -73,13 +73,13 @@ TEST(ViewCamera, IsFoundInMatrices) {
     EXPECT_EQ(seen->parallel, c.isParallel());
     EXPECT_NEAR(seen->halfHeight, halfHeightOf(c), 1e-9);
     EXPECT_NEAR(glm::dot(seen->back, glm::normalize(c.position - c.focalPoint)), 1, 1e-9);
-    EXPECT_TRUE(areAlike(*seen, c));
+    EXPECT_TRUE(areAlike(*seen, c, 1e-6));
     ViewCamera moved = c;
     moved.position += glm::dvec3(0.1, 0, 0);
-    EXPECT_FALSE(areAlike(*seen, moved));
+    EXPECT_FALSE(areAlike(*seen, moved, 1e-3));
     ViewCamera narrower = c;
     narrower.viewAngle *= 0.99, narrower.parallelScale *= 0.99;
-    EXPECT_FALSE(areAlike(*seen, narrower));
+    EXPECT_FALSE(areAlike(*seen, narrower, 1e-3));
   }
   EXPECT_FALSE(cameraFromWorld({{1, 2, 3}, {1, 2, 3}, {0, 1, 0}}));
   EXPECT_FALSE(cameraFromWorld({{0, 5, 0}, {0, 0, 0}, {0, 2, 0}}));
@@ -152,8 +152,36 @@ TEST(PathView, TakesStatedCamerasWhereAllSurfacesAreShifted) {
   const SavedScene scene = sceneOf(seenBy(kSaved, shift));
   EXPECT_NE(refusalOf(scene, kOther, {kSaved}), "") << "it could be any";
   expectAlike(pathPicture(scene, kOther, {kSaved}, true), shownBy(seenBy(kOther, shift), 0));
+  // Axes in different steps, so little that the camera seems to be in the space of the surfaces.
+  const glm::dmat4 little = glm::scale(glm::dmat4(1), {0.9993, 1, 1.0005});
+  expectAlike(pathPicture(sceneOf(seenBy(kSaved, little)), kOther, {kSaved}),
+              shownBy(seenBy(kOther, little), 0));
   const SavedScene flat = sceneOf(seenBy(kFlat, shift));
   expectAlike(pathPicture(flat, kFlatOther, {kFlat}, true), shownBy(seenBy(kFlatOther, shift), 0));
+}
+
+TEST(PathView, TakesTheSpaceOfLightingForTheCameras) {
+  // Eye space is the object space of surfaces, as where the real OpenGL gets one matrix; lighting has the
+  // camera's own.
+  const glm::dmat4 shift = glm::scale(glm::translate(glm::dmat4(1), {0.3, -0.2, 0.1}), {1.2, 0.8, 1.1});
+  for (const auto& [camera, other] : {std::pair(kSaved, kOther), std::pair(kFlat, kFlatOther)}) {
+    scene::Snapshot s = seenBy(camera, shift);
+    for (scene::Instance& instance : s.instances)
+      instance.lightingFromObject = glm::mat4(s.eyeFromWorld), instance.eyeFromObject = glm::dmat4(1);
+    s.camera.clipFromEye = s.camera.clipFromEye * s.eyeFromWorld;
+    s.eyeFromWorld = glm::dmat4(1);
+    EXPECT_NE(refusalOf(sceneOf(s), other, {camera}), "");
+    const std::vector<scene::SnapshotPtr> batches = {std::make_shared<scene::Snapshot>(s)};
+    const auto views = seenFrom(batches, knownView(batches, std::vector{camera}, true), other);
+    const glm::dmat4 got = views[0]->camera.clipFromEye * views[0]->instances[0].eyeFromObject,
+                     wanted = projectionOf(other) * glm::lookAt(other.position, other.focalPoint, other.up) *
+                              shift;
+    for (const glm::dvec3 p : {glm::dvec3(0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0.5)}) {
+      const glm::dvec4 a = got * glm::dvec4(p, 1), b = wanted * glm::dvec4(p, 1);
+      EXPECT_NEAR(a.x / a.w, b.x / b.w, 1e-5);
+      EXPECT_NEAR(a.y / a.w, b.y / b.w, 1e-5);
+    }
+  }
 }
 
 TEST(PathView, RefusesWhatIsNotKnown) {

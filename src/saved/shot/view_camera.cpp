@@ -5,12 +5,10 @@
 namespace gluray::saved {
 namespace {
 
-/// Programs' matrices are floats; people write some digits.
-constexpr double kRounding = 1e-3;
+/// Of right angles: programs' matrices are floats.
+constexpr double kRightAngle = 1e-3;
 
 bool isDirection(const glm::dvec3& v) { return std::isfinite(glm::length(v)) && glm::length(v) > 0; }
-
-bool areNear(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) <= kRounding; }
 
 }  // namespace
 
@@ -59,33 +57,31 @@ std::optional<SeenCamera> seenCamera(const glm::dmat4& clipFromSpace) {
 }
 
 bool isRectangular(const SeenCamera& seen) {
-  return std::abs(glm::dot(seen.right, seen.up)) <= kRounding &&
-         std::abs(glm::dot(seen.right, seen.back)) <= kRounding &&
-         std::abs(glm::dot(seen.up, seen.back)) <= kRounding;
+  return std::abs(glm::dot(seen.right, seen.up)) <= kRightAngle &&
+         std::abs(glm::dot(seen.right, seen.back)) <= kRightAngle &&
+         std::abs(glm::dot(seen.up, seen.back)) <= kRightAngle;
 }
 
 double halfHeightOf(const ViewCamera& camera) {
   return camera.isParallel() ? camera.parallelScale : std::tan(glm::radians(camera.viewAngle) / 2);
 }
 
-bool areEquallyHigh(const SeenCamera& seen, const ViewCamera& camera) {
+bool areEquallyHigh(const SeenCamera& seen, const ViewCamera& camera, double within) {
   return seen.parallel == camera.isParallel() &&
-         std::abs(seen.halfHeight / halfHeightOf(camera) - 1) <= kRounding;
+         std::abs(seen.halfHeight / halfHeightOf(camera) - 1) <= within;
 }
 
-bool lookAlike(const SeenCamera& seen, const ViewCamera& camera) {
+bool areAlike(const SeenCamera& seen, const ViewCamera& camera, double within) {
   const auto matrix = cameraFromWorld(camera);
-  if (!matrix || !isRectangular(seen) || !areEquallyHigh(seen, camera)) return false;
+  if (!matrix || !isRectangular(seen) || !areEquallyHigh(seen, camera, within)) return false;
   const glm::dmat3 axes = glm::transpose(glm::dmat3(*matrix));
-  return areNear(seen.right, axes[0]) && areNear(seen.up, axes[1]) && areNear(seen.back, axes[2]);
-}
-
-bool areAlike(const SeenCamera& seen, const ViewCamera& camera) {
-  if (!lookAlike(seen, camera)) return false;
+  const auto areNear = [&](const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) <= within; };
+  if (!areNear(seen.right, axes[0]) || !areNear(seen.up, axes[1]) || !areNear(seen.back, axes[2]))
+    return false;
   glm::dvec3 apart = seen.position - camera.position;
   // A parallel projection looks the same from all points of a line.
   if (seen.parallel) apart -= glm::dot(apart, seen.back) * seen.back;
-  return glm::length(apart) <= kRounding * glm::length(camera.position - camera.focalPoint);
+  return glm::length(apart) <= within * glm::length(camera.position - camera.focalPoint);
 }
 
 }  // namespace gluray::saved

@@ -34,10 +34,10 @@ bool isRectangular(const SeenCamera& seen);
 /// Half the height of the view, as SeenCamera has it.
 double halfHeightOf(const ViewCamera& camera);
 
-/// Whether both are the same camera up to the rounding of programs and people.
-bool areAlike(const SeenCamera& seen, const ViewCamera& camera);
-/// Whether both look in the same direction with views of the same height, wherever they stand.
-bool lookAlike(const SeenCamera& seen, const ViewCamera& camera);
-bool areEquallyHigh(const SeenCamera& seen, const ViewCamera& camera);
+/// Whether both views are equally high, up to this share.
+bool areEquallyHigh(const SeenCamera& seen, const ViewCamera& camera, double within);
+/// Whether both are the same camera: directions up to this length, places up to this share of the distance
+/// from the focal point.
+bool areAlike(const SeenCamera& seen, const ViewCamera& camera, double within);
 
 }  // namespace gluray::saved
