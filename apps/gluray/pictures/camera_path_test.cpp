@@ -194,6 +194,12 @@ TEST_F(CameraFiles, OfParaViewsAnimationsPlayAsThere) {
   EXPECT_NEAR(cameras[9].position[0], -4.962962962962963, 1e-12);
   ASSERT_EQ(path.saved.size(), 1u);
   EXPECT_EQ(path.saved[0].viewAngle, 25);
+  std::string twice = state("0"), mixed = twice;
+  twice.replace(twice.find("0.4"), 3, "1");
+  EXPECT_NE(refusalOf("b.pvsm", twice).find("same time"), std::string::npos);
+  const std::string order = "\"6\"/><Proxy value=\"7\"";
+  mixed.replace(mixed.find(order), order.size(), "\"7\"/><Proxy value=\"6\"");
+  EXPECT_EQ(readCameraPath({folder.write("c.pvsm", mixed)}).cameras(0), cameras);
   EXPECT_NE(refusalOf("b.pvsm", state("1")).find("not supported"), std::string::npos);
   EXPECT_NE(refusalOf("b.pvsm", state("2")).find("not supported"), std::string::npos);
 }

@@ -124,13 +124,17 @@ CameraPath readPvsm(std::string_view text) {
     if (path.saved[0].viewAngle == 0) camera.viewAngle = 0;
     path.keys.push_back({propertyValue(key, "KeyTime"), camera});
   }
+  std::sort(path.keys.begin(), path.keys.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  for (size_t i = 1; i < path.keys.size(); ++i)
+    if (path.keys[i - 1].time == path.keys[i].time) refuseFile("two of its key frames have the same time");
   if (path.keys.size() < 2) refuseFile("its camera animation has fewer than two key frames");
   // Versions before 5.11 have splines alone.
   path.between =
       propertyOr(cue, "Interpolation", 1) == 0 ? CameraPath::Between::linear : CameraPath::Between::spline;
   path.upward = CameraPath::Upward::coordinates;
   path.begin = 0, path.end = 1;
-  path.pictures = static_cast<int>(std::min(propertyOr(animationOf(*state), "NumberOfFrames", 0), 1e5));
+  path.pictures =
+      static_cast<int>(std::clamp(propertyOr(animationOf(*state), "NumberOfFrames", 0), 0.0, 1e5));
   return path;
 }
 
