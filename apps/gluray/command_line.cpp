@@ -240,7 +240,7 @@ int firstProgramWord(const CLI::App& app, int first, int argc, char** argv) {
 
 }  // namespace
 
-Parsed parse(int argc, char** argv) {
+Parsed parse(int argc, char** argv, bool quiet) {
   Parsed parsed;
   CLI::App app("Runs an OpenGL program and ray traces what it draws.", "gluray");
   app.set_version_flag("--version", "gluray " GLURAY_VERSION);
@@ -255,13 +255,13 @@ Parsed parse(int argc, char** argv) {
   try {
     app.parse(std::vector<std::string>(own.rbegin(), own.rend()));
   } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
+    if (!quiet) std::cout << app.help();
     return parsed;
   } catch (const CLI::CallForVersion& version) {
-    std::cout << version.what() << "\n";
+    if (!quiet) std::cout << version.what() << "\n";
     return parsed;
   } catch (const CLI::ParseError& error) {
-    parsed.exitCode = complain(error.what());
+    parsed.exitCode = quiet ? kUsageError : complain(error.what());
     return parsed;
   }
   if (!runs) return parsed.run = true, parsed;

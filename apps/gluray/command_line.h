@@ -88,6 +88,7 @@ struct Parsed {
   int exitCode = 0;
 };
 
-Parsed parse(int argc, char** argv);
+/// `quiet`: prints nothing.
+Parsed parse(int argc, char** argv, bool quiet = false);
 
 }  // namespace gluray::launcher

@@ -10,7 +10,7 @@ import time
 import unittest
 
 from exr_file import ExrFile
-from shots_test import CLIENT, GLURAY, HEIGHT, PATIENCE, Pictures, WIDTH, chunks, pixels
+from saved_case import CLIENT, GLURAY, HEIGHT, PATIENCE, WIDTH, SavedCase, chunks, pixels
 
 
 def encoded(linear):
@@ -26,7 +26,7 @@ def finished_bands(file):
     return struct.unpack("=i", head[48:])[0] if len(head) == 52 else 0
 
 
-class Floats(Pictures):
+class Floats(SavedCase):
     def test_openexr_files_have_the_light_of_the_picture(self):
         self.saved()
         self.done("render", "scene.gluray", "picture.png")

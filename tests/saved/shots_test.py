@@ -9,33 +9,10 @@ import sys
 import time
 import unittest
 
-from shots_case import PATIENCE, ShotsCase, chunks, pixels, size_of
-
-GLURAY, CLIENT, TOOLKIT = sys.argv[1:4]
-WIDTH, HEIGHT = 160, 120  # of the client's window
+from saved_case import CLIENT, GLURAY, HEIGHT, PATIENCE, TOOLKIT, WIDTH, SavedCase, chunks, pixels, size_of
 
 
-class Pictures(ShotsCase):
-    """A program that runs, and the commands for it."""
-    GLURAY = GLURAY
-
-    def start(self, *options, client=(CLIENT, "exposed")):
-        self.spawn(GLURAY, "hub", "--with-parent")
-        self.client = self.spawn(GLURAY, *options, "--", *client)
-        print("frame", file=self.client.stdin, flush=True)
-        self.client.stdout.readline()
-        end = time.monotonic() + PATIENCE
-        while not json.loads(self.gluray("list", "--json").stdout or "[]"):
-            self.assertLess(time.monotonic(), end)
-            time.sleep(0.05)
-
-    def saved(self, *options):
-        self.start(*options)
-        self.done("save", "scene.gluray")
-        return self.folder / "scene.gluray"
-
-
-class Shots(Pictures):
+class Shots(SavedCase):
     def test_a_scene_is_rendered_as_the_window_shows_it(self):
         self.saved()
         said = json.loads(self.done("render", "scene.gluray", "picture.png", "--json").stdout)

@@ -108,10 +108,11 @@ bool describeControl(CLI::App& app, CommandLine& line) {
       app.description(
           "Saves the image in the window of a running program; with options, a picture of what it shows, of\n"
           "any size and with any settings, made by a process of its own. Overwrites pictures only.");
-      app.add_option("FILE", options.file, "Name of the image, ending in .png or .exr")->required();
+      app.add_option("FILE", options.file, "Name of the image, ending in .png or .exr");
       addPictureOptions(app, line.picture);
       addRestartOption(app, line.picture);
       addSettingOptions(app, line.settings, false);
+      addRepeatOption(app, line.picture, {"FILE"});
       break;
     case Command::save:
       app.description(

@@ -12,18 +12,14 @@ void describeRender(CLI::App& app, CommandLine& line) {
       "had\n"
       "or others. If it is interrupted, the same command goes on where it ended. Overwrites pictures only.");
   app.name("gluray render");
-  app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray")->required();
-  app.add_option("FILE", line.picture.file, "Name of the picture, ending in .png or .exr")->required();
+  app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray");
+  app.add_option("FILE", line.picture.file, "Name of the picture, ending in .png or .exr; - with --y4m");
   addPictureOptions(app, line.picture);
   addRestartOption(app, line.picture);
-  app.add_option(
-         "--turntable", line.picture.turntable,
-         "N numbered pictures (FILE is a pattern such as turn-%04d.png) of a camera that goes around the\n"
-         "scene once, without overlays")
-      ->check(CLI::Range(1, 100000))
-      ->type_name("N");
+  addFilmOptions(app, line.picture);
   app.add_flag("--json", line.json, "Print JSON");
   addSettingOptions(app, line.settings, false);
+  addRepeatOption(app, line.picture, {"SCENE", "FILE"});
 }
 
 void describeExport(CLI::App& app, CommandLine& line) {

@@ -16,9 +16,13 @@ using Texts = std::vector<std::pair<std::string, std::string>>;
 
 Texts textsOf(const FinishedPicture& picture) {
   Texts texts = {{"Software", "GLuRay " GLURAY_VERSION}, {"Command", picture.command}};
-  for (const char* fact : {"program", "saved"})
+  constexpr std::pair<const char*, const char*> kFacts[] = {{"cameras", "GLuRay cameras"},
+                                                            {"hash", "GLuRay scene"},
+                                                            {"program", "GLuRay program"},
+                                                            {"saved", "GLuRay saved"}};
+  for (const auto& [fact, keyword] : kFacts)
     if (picture.facts.contains(fact) && picture.facts[fact].is_string())
-      texts.emplace_back(std::string("GLuRay ") + fact, picture.facts[fact].get<std::string>());
+      texts.emplace_back(keyword, picture.facts[fact].get<std::string>());
   return texts;
 }
 

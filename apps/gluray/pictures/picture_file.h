@@ -17,7 +17,7 @@ struct FinishedPicture {
   const PictureOptions& options;
   const BandFile& bands;
   const std::string& command;   // that makes it again
-  const nlohmann::json& facts;  // saved::SavedScene::facts
+  const nlohmann::json& facts;  // saved::SavedScene::facts; "hash", "cameras": see rendered_picture.cpp
   const std::string& header;    // of OpenEXR files, from the engine
 };
 

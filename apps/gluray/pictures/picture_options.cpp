@@ -71,4 +71,51 @@ void addRestartOption(CLI::App& app, PictureOptions& options) {
   app.add_flag("--restart", options.again, "Begin anew, even if a picture was interrupted");
 }
 
+void addFilmOptions(CLI::App& app, PictureOptions& options) {
+  auto* const turntable = app.add_option(
+      "--turntable", options.turntable,
+      "N numbered pictures (FILE is a pattern such as turn-%04d.png) of a camera that goes around the\n"
+      "scene once, without overlays");
+  turntable->check(CLI::Range(1, 100000))->type_name("N");
+  auto* const path = app.add_option(
+      "--path", options.path,
+      "Numbered pictures from the cameras of FILE, without overlays: JSON, or ParaView's .pvcc (may be\n"
+      "given several times) or .pvsm");
+  path->allow_extra_args(false)->excludes(turntable)->type_name("FILE");
+  app.add_option("--frames", options.frames,
+                 "N pictures along the path [as FILE says, or one at each of its cameras]")
+      ->check(CLI::Range(1, 100000))
+      ->needs(path)
+      ->type_name("N");
+  app.add_option("--saved-camera", options.savedCamera,
+                 "The camera of the saved view, .pvcc or JSON [one of the path's cameras]")
+      ->needs(path)
+      ->type_name("FILE");
+  auto* const video = app.add_flag(
+      "--y4m", options.video,
+      "Write the film to standard output (FILE is -) for an encoder: gluray render ... - --y4m | ffmpeg\n"
+      "-i - film.mp4");
+  app.add_option("--fps", options.fps, "Frames a second of the stream")
+      ->needs(video)
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void addRepeatOption(CLI::App& app, PictureOptions& options, const std::vector<std::string>& needed) {
+  app.add_option(
+         "--again", options.repeat,
+         "Make PICTURE (.png) again: runs the command that it says it was made by, if the scene is still\n"
+         "the same. No other options")
+      ->type_name("PICTURE");
+  app.callback([&app, &options, needed] {
+    for (const CLI::Option* option : app.get_options()) {
+      const std::string name = option->get_name();
+      const bool along = name == "--again" || name == "--json" || name == "-p" || name == "--help,-h";
+      if (!options.repeat.empty() && option->count() > 0 && !along) throw CLI::ExcludesError("--again", name);
+    }
+    for (const std::string& name : needed)
+      if (options.repeat.empty() && app.get_option(name)->count() == 0) throw CLI::RequiredError(name);
+  });
+}
+
 }  // namespace gluray::launcher

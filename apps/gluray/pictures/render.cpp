@@ -5,6 +5,8 @@
 #include "control/images/film_plan.h"
 #include "control/images/window_image.h"
 #include "pictures/rendered_picture.h"
+#include "pictures/repeat.h"
+#include "pictures/video_stream.h"
 #include "pictures/wanted_settings.h"
 #include "say.h"
 
@@ -22,17 +24,34 @@ std::string namesOf(const RenderedPicture& made) {
          std::to_string(made.files.size()) + " pictures";
 }
 
+/// What does not go together; empty: nothing.
+std::string whyNo(const CommandLine& line) {
+  const PictureOptions& options = line.picture;
+  FrameRate rate;
+  if (options.video != (options.file == "-"))
+    return "a film for encoders takes both: - in place of FILE, and --y4m";
+  if (options.video && line.json) return "--y4m has standard output for itself: leave out --json";
+  if (options.video && (options.depth > 8 || !options.layers.empty()))
+    return "--y4m has 8 bits and no layers: leave out --depth and --layers";
+  if (options.video && options.background == "transparent") return "--y4m has no transparency";
+  return readFrameRate(options.fps, rate);
+}
+
 }  // namespace
 
 int renderSaved(const CommandLine& line) {
+  if (!line.picture.repeat.empty()) return renderSaved(repeated(line));
   const PictureOptions& options = line.picture;
-  for (const std::string& file : filesOf(options))
+  if (const std::string why = whyNo(line); !why.empty()) return say(why), kUsageError;
+  const WantedViews views = wantedViews(options);
+  for (const std::string& file : filesOf(options, views))
     if (const std::string why = whyNoPictureInto(file); !why.empty()) return say(why), kUsageError;
   if (const std::string why = whyNotOf(options); !why.empty()) return say(why), kUsageError;
   const double start = nowSeconds();
   const NamedValues settings = wantedSettings(line);
-  const RenderedPicture made = renderPictures(options, settings, commandOf(options, settings));
+  const RenderedPicture made = renderPictures(options, settings, commandOf(options, settings), views);
   for (const std::string& note : made.notes) say(note);
+  if (options.video) return 0;
   if (line.json) {
     std::cout << jsonText({{"files", made.files},
                            {"width", made.width},
@@ -47,9 +66,9 @@ int renderSaved(const CommandLine& line) {
   std::cout << namesOf(made) << ", " << made.width << " x " << made.height << ", " << seconds << " s"
             << (made.resumed ? ", went on from an interrupted run" : "") << "\n";
   FilmName name;
-  if (options.turntable > 1 && readFilmName(options.file, name).empty())
+  if (made.files.size() > 1 && readFilmName(options.file, name).empty())
     std::cout << "As a film: "
-              << filmCommand(name, options.turntable, false, made.width % 2 != 0 || made.height % 2 != 0)
+              << filmCommand(name, views.pictures, false, made.width % 2 != 0 || made.height % 2 != 0)
               << "\n";
   return 0;
 }

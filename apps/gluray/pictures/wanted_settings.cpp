@@ -36,13 +36,17 @@ NamedValues wantedSettings(const CommandLine& line) {
 }
 
 std::string commandOf(const PictureOptions& options, const NamedValues& settings) {
-  std::string command = "gluray render " + shellWord(options.scene) + ' ' + shellWord(options.file);
+  std::string command = options.scene.empty() ? "gluray shot" : "gluray render " + shellWord(options.scene);
+  command += ' ' + shellWord(options.file);
   if (!options.size.empty()) command += " --size " + shellWord(options.size);
   if (options.fit != "all") command += " --fit " + options.fit;
   if (options.background != "as-shown") command += " --background " + options.background;
   if (!options.layers.empty()) command += " --layers " + shellWord(options.layers);
   if (options.depth != 0) command += " --depth " + std::to_string(options.depth);
   if (options.turntable > 0) command += " --turntable " + std::to_string(options.turntable);
+  for (const std::string& file : options.path) command += " --path " + shellWord(file);
+  if (options.frames > 0) command += " --frames " + std::to_string(options.frames);
+  if (!options.savedCamera.empty()) command += " --saved-camera " + shellWord(options.savedCamera);
   if (!options.overlays) command += " --no-overlays";
   for (const auto& [name, value] : settings) command += " --set " + shellWord(name + "=" + value);
   return command;

@@ -10,7 +10,7 @@ namespace gluray::launcher {
 /// Throws std::runtime_error with one line.
 NamedValues wantedSettings(const CommandLine& line);
 
-/// The command that makes the same picture, for a shell.
+/// The command that makes the same picture, for a shell: gluray render, or without a scene gluray shot.
 std::string commandOf(const PictureOptions& options, const NamedValues& settings);
 
 }  // namespace gluray::launcher

@@ -2,6 +2,7 @@
 
 #include "saved/exr/exr_writer.h"
 #include "saved/layers/picture_layers.h"
+#include "saved/scene/scene_hash.h"
 #include "saved/shot/linear_color.h"
 #include "saved/shot/shot.h"
 #include "settings/values.h"
@@ -50,6 +51,31 @@ std::function<Settings(const Settings&)> changed(std::span<const char* const> va
     }
     return session.settings;
   };
+}
+
+ViewCamera cameraOf(const GlurayCamera& c) {
+  const auto vector = [](const double(&v)[3]) { return glm::dvec3(v[0], v[1], v[2]); };
+  return {vector(c.position), vector(c.focalPoint), vector(c.up), c.viewAngle, c.parallelScale};
+}
+
+/// Null: the request has no cameras.
+std::shared_ptr<const KnownView> knownViewOf(const SavedScene& scene, const GlurayRenderRequest& request) {
+  if (!request.cameras) return nullptr;
+  std::vector<scene::SnapshotPtr> batches;
+  for (const SavedBatch& batch : scene.batches) batches.push_back(batch.snapshot);
+  std::vector<ViewCamera> cameras;
+  for (int i = 0; i < request.savedCameraCount; ++i) cameras.push_back(cameraOf(request.savedCameras[i]));
+  return std::make_shared<KnownView>(knownView(batches, cameras, request.savedCameraStated != 0));
+}
+
+/// What is told about the scene: JSON. Throws std::runtime_error if another scene is wanted.
+std::string factsOf(const SavedScene& scene, const char* wantedHash) {
+  nlohmann::json facts = scene.facts;
+  const std::string hash = hashOf(scene);
+  if (wantedHash && hash != wantedHash)
+    throw std::runtime_error("the scene is another one than that of the picture");
+  facts["hash"] = hash;
+  return facts.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
 constexpr size_t kBandFloats = size_t{1} << 25;  // of a band with layers
@@ -131,19 +157,23 @@ bool render(const GlurayRenderRequest& request, const GlurayRenderSink& sink) {
     throw std::runtime_error("install GLuRay again: its library is of another version");
   SavedScene scene = readScene(request.scene);
   const std::span settings(request.settings, static_cast<size_t>(request.settingCount));
-  const std::string facts = scene.facts.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  const std::string facts = factsOf(scene, request.sceneHash);
   ShotOptions options{.size = {request.width, request.height},
                       .fit = fitOf(request.fit),
                       .transparent = request.transparent != 0,
                       .overlays = request.overlays != 0,
+                      .known = knownViewOf(scene, request),
                       .settings = changed(settings),
                       .edgeSamples = choosesSamples(settings) ? 1 : kEdgeSamples};
   if (request.values == kGlurayLinear && !canWriteExr())
     throw std::runtime_error("this GLuRay was built without OpenEXR: use a name that ends in .png");
   frame::Renderer renderer;  // keeps the structures of meshes from picture to picture
   for (int picture = request.firstPicture; picture < request.pictures; ++picture) {
-    options.turn = 360.0 * picture / request.pictures;
-    options.overlays = options.overlays && request.pictures == 1;
+    if (request.cameras)
+      options.camera = cameraOf(request.cameras[picture]);
+    else
+      options.turn = 360.0 * picture / request.pictures;
+    options.overlays = options.overlays && request.pictures == 1 && !request.cameras;
     Picture made(scene, options, renderer, request);
     const bool first = picture == request.firstPicture;
     if (first && request.values == kGlurayLinear &&

@@ -16,6 +16,13 @@ enum {
   kGlurayLinear = 2     /* floats, the channels of an OpenEXR file */
 };
 
+/* A camera in the program's world space. */
+typedef struct GlurayCamera {
+  double position[3], focalPoint[3], up[3];
+  double viewAngle;     /* of the whole height, degrees; 0: a parallel projection */
+  double parallelScale; /* half the height of the view, of parallel projections */
+} GlurayCamera;
+
 typedef struct GlurayRenderRequest {
   int version;                 /* kGlurayRenderVersion */
   const char* scene;           /* file */
@@ -30,12 +37,19 @@ typedef struct GlurayRenderRequest {
   int pictures;                /* the camera goes around the scene once in so many; 1: the saved view */
   const char* const* settings; /* "name=value": in place of those of the scene */
   int settingCount;
+  const GlurayCamera* cameras; /* one for each picture, in place of the turn; null: none */
+  /* Among them is that of the saved view. */
+  const GlurayCamera* savedCameras;
+  int savedCameraCount;
+  int savedCameraStated; /* there is one, and somebody says that it is that of the saved view */
+  const char* sceneHash; /* the picture is made of the scene with this hash alone; null: of any */
 } GlurayRenderRequest;
 
 /* Receives pictures, in bands of rows from the top on. */
 typedef struct GlurayRenderSink {
   void* user;
-  /* A picture's number from 0, its size, rows of a band, and facts about the scene: JSON. 0: ends the work.
+  /* A picture's number from 0, its size, rows of a band, and facts about the scene: JSON, with its "hash". 0:
+   * ends the work.
    */
   int (*begin)(void* user, int picture, int width, int height, int bandRows, const char* facts);
   /* What OpenEXR files of the pictures have, for glurayWriteExr(), and how many values a pixel has: called

@@ -73,19 +73,21 @@ void Shot::look() {
     changed->settings = options_.settings(changed->settings);
     batch.snapshot = std::move(changed);
   }
-  if (options_.turn == 0) {
-    for (const SavedBatch& batch : batches_) place(batch);
-  } else {
-    std::vector<scene::SnapshotPtr> views;
-    for (const SavedBatch& batch : batches_) views.push_back(batch.snapshot);
-    views = turned(views, options_.turn);
-    for (size_t i = 0; i < views.size(); ++i) {
-      SavedBatch batch = batches_[i];
-      batch.snapshot = views[i];
-      place(batch);
-    }
+  const std::vector<scene::SnapshotPtr> snapshots = views();
+  for (size_t i = 0; i < snapshots.size(); ++i) {
+    SavedBatch batch = batches_[i];
+    batch.snapshot = snapshots[i];
+    place(batch);
   }
   lookAtWindow();
+}
+
+/// The batches as the picture's camera sees them.
+std::vector<scene::SnapshotPtr> Shot::views() const {
+  std::vector<scene::SnapshotPtr> saved;
+  for (const SavedBatch& batch : batches_) saved.push_back(batch.snapshot);
+  if (!options_.movesCamera()) return saved;
+  return options_.camera ? seenFrom(saved, *options_.known, *options_.camera) : turned(saved, options_.turn);
 }
 
 /// The batch as a picture of this frame shows it.
@@ -123,7 +125,7 @@ Canvas Shot::windowOf(const std::vector<SavedBatch>& batches, uint64_t view) {
     Placed placed = placedIn(window, batches[i]);
     placed.snapshot.viewFrame = view;
     const auto& layers = placed.snapshot.layers;
-    if (layers && layers->of != Of::drawn && options_.turn == 0) {
+    if (layers && layers->of != Of::drawn && !options_.movesCamera()) {
       placed_[i].window = placed.snapshot.region;
       placed_[i].rasterised = layers->opaqueDepth;
       const std::vector<float> traced = canvas.opaqueDepths(placed.snapshot.region);
@@ -138,7 +140,7 @@ Canvas Shot::windowOf(const std::vector<SavedBatch>& batches, uint64_t view) {
 /// Traces what the window showed: finds the background, what was drawn over surfaces, and the exposures.
 void Shot::lookAtWindow() {
   const bool wantsPlate = knowsWindow() && !options_.transparent;
-  if (frame_->isWindow() && !wantsPlate && bands() == 1 && options_.turn == 0) return;
+  if (frame_->isWindow() && !wantsPlate && bands() == 1 && !options_.movesCamera()) return;
   const bool isSame = !options_.settings;
   const bool exposes = std::any_of(batches_.begin(), batches_.end(), [](const SavedBatch& batch) {
     return batch.snapshot->settings.autoExposure;
@@ -149,7 +151,7 @@ void Shot::lookAtWindow() {
   const bool noisy = std::any_of(scene_.batches.begin(), scene_.batches.end(),
                                  [](const SavedBatch& batch) { return isNoisy(*batch.snapshot); });
   plate_ = Plate(scene_.shown, shown.colors(), showsWindow() && isSame && !noisy);
-  if (!options_.overlays || options_.turn != 0)
+  if (!options_.overlays || options_.movesCamera())
     plate_.clearBackground();
   else if (!frame_->isWindow())
     note("text, axes and widgets of the program are enlarged from the window's pixels");
@@ -160,7 +162,7 @@ scene::Snapshot Shot::partOf(const Placed& placed, const scene::Region& part, co
   scene::Snapshot s = placed.snapshot;
   s.region = part;
   if (!s.layers) return s;
-  const bool whole = part == placed.snapshot.region && frame_->isWindow() && options_.turn == 0;
+  const bool whole = part == placed.snapshot.region && frame_->isWindow() && !options_.movesCamera();
   if (whole) return s;
   auto layers = std::make_shared<scene::Layers>(*s.layers);
   layers->opaqueDepth = canvas.opaqueDepths(part);

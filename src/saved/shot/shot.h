@@ -3,12 +3,14 @@
 #include "frame/tracing/renderer.h"
 #include "saved/scene/saved_scene.h"
 #include "saved/shot/canvas.h"
+#include "saved/shot/path_view.h"
 #include "saved/shot/plate.h"
 #include "saved/shot/shot_frame.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,10 +23,16 @@ struct ShotOptions {
   bool transparent = false;  // the background
   bool overlays = true;      // text, axes and widgets that the program drew
   double turn = 0;           // degrees by which the camera goes around the scene: then without overlays
+  // A camera of a path, in the world of `known`, in place of a turn: also without overlays.
+  std::optional<ViewCamera> camera;
+  std::shared_ptr<const KnownView> known;
   /// The settings of the picture, from those that the program had; empty: the same.
   std::function<Settings(const Settings&)> settings;
   int edgeSamples = 1;       // per pixel, at least, in pictures of other sizes than the window's
   int bandPixels = 1 << 21;  // traced together; some 68 bytes each while light is refined
+
+  /// Whether the camera is another one than the saved view's.
+  bool movesCamera() const { return turn != 0 || (camera && !(*camera == known->camera)); }
 };
 
 class Shot {
@@ -70,6 +78,7 @@ class Shot {
 
  private:
   void look();
+  std::vector<scene::SnapshotPtr> views() const;
   Placed placedIn(const ShotFrame& frame, const SavedBatch& batch) const;
   void place(const SavedBatch& batch);
   void lookAtWindow();
@@ -88,7 +97,7 @@ class Shot {
     return scene_.shown.width == scene_.window.x && scene_.shown.height == scene_.window.y;
   }
   /// Whether the picture is what the window shows, pixel for pixel.
-  bool showsWindow() const { return frame_->isWindow() && options_.turn == 0 && options_.overlays; }
+  bool showsWindow() const { return frame_->isWindow() && !options_.movesCamera() && options_.overlays; }
 
   SavedScene scene_;
   std::vector<SavedBatch> batches_;  // those of the scene with the settings of the picture

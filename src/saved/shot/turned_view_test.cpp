@@ -75,6 +75,26 @@ TEST(TurnedView, TurnsLightingInItsOwnSpace) {
   EXPECT_GT(shown, 300u);
 }
 
+TEST(TurnedView, TurnsNormalsOfScaledPositions) {
+  // VTK scales coordinates in buffers, and normals not.
+  scene::Snapshot s =
+      gluray::test::litView({gluray::test::ballMesh(40)}, gluray::test::Shader::phong, {0, 0, 1, 0});
+  s.shadings[0].fragment.normals = scene::FragmentShading::Normals::vertices;
+  const glm::dmat4 scale = glm::scale(glm::dmat4(1), {1.5, 0.7, 1.1});
+  for (scene::Instance& instance : s.instances) {
+    instance.normalMatrix = glm::mat3(instance.eyeFromObject);
+    instance.eyeFromObject = instance.eyeFromObject * scale;
+    instance.lightingFromObject = glm::mat4(instance.eyeFromObject);
+  }
+  const glm::mat3 before = s.instances[0].normalMatrix;
+  const auto views = turned({std::make_shared<scene::Snapshot>(s)}, 70);
+  const glm::mat3 turn = glm::mat3(views[0]->instances[0].eyeFromObject *
+                                   glm::inverse(s.instances[0].eyeFromObject)),
+                  got = views[0]->instances[0].normalMatrix, wanted = turn * before;
+  for (int i = 0; i < 3; ++i) EXPECT_LT(glm::length(got[i] - wanted[i]), 1e-5f);
+  EXPECT_GT(glm::length(got[0] - before[0]), 0.1f);
+}
+
 TEST(TurnedView, TurnsWhatLayBehindTheNearPlaneIntoView) {
   scene::Snapshot s = balls(kSide, Floor::none);
   s.settings.ao.enabled = false;

@@ -6,6 +6,7 @@
 #include "control/images/window_image.h"
 #include "control/one_program.h"
 #include "pictures/rendered_picture.h"
+#include "pictures/repeat.h"
 #include "pictures/wanted_settings.h"
 #include "say.h"
 
@@ -34,7 +35,7 @@ RenderedPicture pictureOf(HubSession& hub, const RunningProgram& program, const 
   // An interrupted shot is of a scene that is gone.
   options.again = true;
   PictureOptions again = options;
-  again.scene = "SCENE.gluray";
+  again.scene.clear();
   return renderPictures(options, settings, commandOf(again, settings));
 }
 
@@ -53,6 +54,7 @@ void tell(const CommandLine& line, const RunningProgram& program, nlohmann::json
 }  // namespace
 
 int saveShot(const CommandLine& line) {
+  if (!line.picture.repeat.empty()) return saveShot(repeated(line));
   const std::string file = line.control.file;
   PictureOptions options = line.picture;
   options.file = file;
@@ -60,7 +62,7 @@ int saveShot(const CommandLine& line) {
     if (!why.empty()) return say(why), kUsageError;
   HubSession hub(line);
   const RunningProgram program = oneProgram(hub);
-  if (options.anything() || !line.settings.all().empty()) {
+  if (options.anything() || !line.settings.all().empty() || !line.picture.sceneHash.empty()) {
     const RenderedPicture picture = labelled(program, [&] { return pictureOf(hub, program, line); });
     for (const std::string& note : picture.notes) say(note);
     tell(line, program, {{"width", picture.width}, {"height", picture.height}, {"notes", picture.notes}});
