@@ -56,7 +56,7 @@ def options_of(*command) -> set[str]:
 
 def commands_of(gluray: pathlib.Path) -> set[str]:
     """The commands that its --help lists."""
-    return set(re.findall(r"gluray ([a-z]+)", run(gluray, "--help").stdout.split("\nCommands, ")[1]))
+    return set(re.findall(r"gluray ([a-z]+(?:-[a-z]+)*)", run(gluray, "--help").stdout.split("\nCommands, ")[1]))
 
 
 def check_page(page: pathlib.Path, options: set[str] | None = None) -> None:
