@@ -122,8 +122,12 @@ int reportBug(const CommandLine& line) {
   const std::string archive = line.archive.empty() ? "gluray-report.tar.gz" : line.archive;
   if (!archive.ends_with(".tar.gz"))
     return say(printable(archive) + ": use a name that ends in .tar.gz"), kUsageError;
-  if (const std::string why = files::obstacle(archive); !why.empty())
+  const auto failed = [&](const std::string& why) {
     return say(printable(archive) + " cannot be written: " + why), 1;
+  };
+  if (const std::string why = files::obstacle(archive); !why.empty()) return failed(why);
+  const fs::path folder = fs::absolute(archive).parent_path();
+  if (!fs::is_directory(folder)) return failed("there is no folder " + printable(folder.string()));
   const TemporaryFolder place;
   const Report report{place.path() + "/gluray-report"};
   fs::create_directory(report.folder);
@@ -133,7 +137,7 @@ int reportBug(const CommandLine& line) {
   const std::string made = place.path() + "/report.tar.gz", said = place.path() + "/tar.txt";
   if (run({"tar", "-czf", made, "-C", place.path(), "gluray-report"}, said) != 0)
     return say("tar could not make the archive: " + textIn(said)), 1;
-  if (const std::string why = files::replace(archive, textIn(made)); !why.empty()) return say(why), 1;
+  if (const std::string why = files::replace(archive, textIn(made)); !why.empty()) return failed(why);
   std::cout
       << printable(archive)
       << " is written; nothing was sent. It names your files and your user: look at it before you attach it "
