@@ -201,6 +201,7 @@ TEST_F(PanelLiveTest, PickedObjectsGetMaterials) {
 TEST_F(PanelLiveTest, LightFollowsTheMouse) {
   program("painter");
   const QPoint surface = showAndPoint();
+  openPage(*window_.findChild<QWidget*>("lights"));
   LiveImage& live_ = view().liveImage();
   window_.findChild<QAbstractButton*>("tool-light")->click();
   QTest::mousePress(&live_, Qt::LeftButton, {}, surface);

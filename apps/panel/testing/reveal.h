@@ -9,14 +9,19 @@
 
 namespace gluray::panel {
 
-/// Opens the page of a setting's editor and, if it has one, presses its button "More".
-inline void reveal(QWidget& editor) {
+/// Opens the page of a setting's editor.
+inline SettingsPage& openPage(QWidget& editor) {
   SettingsPage* page = nullptr;
   for (QWidget* at = &editor; at; at = at->parentWidget()) {
     if (!page) page = qobject_cast<SettingsPage*>(at);
     if (auto* tabs = qobject_cast<QTabWidget*>(at)) tabs->setCurrentWidget(page);
   }
-  auto* more = page->findChild<QToolButton*>("more");
+  return *page;
+}
+
+/// Opens the page of a setting's editor and, if it has one, presses its button "More".
+inline void reveal(QWidget& editor) {
+  auto* more = openPage(editor).findChild<QToolButton*>("more");
   if (more && !more->isChecked()) more->click();
 }
 

@@ -45,7 +45,7 @@ TEST_F(ProgramSideTest, ProgramsThatDrawAreNotAsked) {
 
 TEST_F(ProgramSideTest, WrongValuesChangeNothing) {
   const auto why = [&](const json& values) { return ask(setting(values)).value("why", ""); };
-  EXPECT_EQ(why({{"ao", true}, {"spp", 0}}), "spp=0: use a number from 1 (the centre) to 1024 samples");
+  EXPECT_EQ(why({{"ao", true}, {"spp", 0}}), "spp=0: use a number from 1 (the centre) to 1024");
   EXPECT_EQ(why({{"aoo", true}}), "no setting is called 'aoo'; did you mean 'ao'?");
   EXPECT_NE(why({{"ao", json::object()}}), "");
   EXPECT_NE(why({{"report", "/tmp/x"}}), "");

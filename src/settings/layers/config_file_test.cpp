@@ -88,9 +88,8 @@ TEST_F(ConfigFileTest, UnknownNamesAreReportedWithTheNearest) {
 
 TEST_F(ConfigFileTest, FractionsAreReportedWithTheRange) {
   EXPECT_EQ(sessionOf("spp = 1.5\n").settings.spp, 1);
-  EXPECT_EQ(
-      g_fileComplaints,
-      std::vector<std::string>{file() + ":1: spp = 1.5: use a number from 1 (the centre) to 1024 samples"});
+  EXPECT_EQ(g_fileComplaints,
+            std::vector<std::string>{file() + ":1: spp = 1.5: use a number from 1 (the centre) to 1024"});
 }
 
 TEST_F(ConfigFileTest, TheEnvironmentOverridesIt) {

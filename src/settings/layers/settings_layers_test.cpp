@@ -223,7 +223,7 @@ TEST_F(LayersOf, WrongValuesChangeNothing) {
   setenv("GLURAY_SPP", "many", 1);
   EXPECT_EQ(read("spp"), "3 (user " + sources_.userFile + ":1)");
   EXPECT_EQ(g_layerComplaints,
-            std::vector<std::string>{"GLURAY_SPP=many: use a number from 1 (the centre) to 1024 samples"});
+            std::vector<std::string>{"GLURAY_SPP=many: use a number from 1 (the centre) to 1024"});
 }
 
 TEST_F(LayersOf, FilesThatOthersMayWriteAreNotRead) {

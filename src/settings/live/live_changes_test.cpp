@@ -43,7 +43,7 @@ TEST_F(Live, PresetsAreSetLiveByName) {
 TEST_F(Live, WrongChangesChangeNothing) {
   live_.start(sources_);
   EXPECT_EQ(whyOf({{"spp", "2"}, {"sp", "3"}}), "no setting is called 'sp'; did you mean 'spp'?");
-  EXPECT_EQ(whyOf({{"spp", "0"}}), "spp=0: use a number from 1 (the centre) to 1024 samples");
+  EXPECT_EQ(whyOf({{"spp", "0"}}), "spp=0: use a number from 1 (the centre) to 1024");
   EXPECT_EQ(whyOf({{"preset", "drft"}}), "preset=drft: there is no such preset; did you mean 'draft'?");
   EXPECT_EQ(whyOf({{"report", "/a"}}),
             "report applies to the next run only; set it in gluray.toml or as an option");
@@ -135,7 +135,7 @@ TEST_F(Live, ValuesHaveTheirLayers) {
   EXPECT_EQ(values.at("ao").layer, Layer::live);
   EXPECT_EQ(values.at("threads").layer, Layer::builtIn);
   EXPECT_EQ(values.at("threads").place, "");
-  EXPECT_EQ(live_.whyNot(Changes{{"spp", "0"}}), "spp=0: use a number from 1 (the centre) to 1024 samples");
+  EXPECT_EQ(live_.whyNot(Changes{{"spp", "0"}}), "spp=0: use a number from 1 (the centre) to 1024");
   EXPECT_EQ(live_.whyNot(Changes{{"spp", "4"}}), "");
   EXPECT_EQ(spp(), 2);
 }
