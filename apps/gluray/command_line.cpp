@@ -223,8 +223,10 @@ bool takesProgram(Command command) {
 
 std::string problemOfShots(const CommandLine& line) {
   if (line.command != Command::run) return "";
-  if (line.shots.file.empty() && line.picture.anything())
-    return "--size, --fit, --background and --no-overlays need --shot FILE";
+  const PictureOptions& picture = line.picture;
+  const bool anything = picture.anything() || picture.depth != 0 || !picture.layers.empty();
+  if (line.shots.file.empty() && anything)
+    return "--size, --fit, --background, --depth, --layers and --no-overlays need --shot FILE";
   return problemOf(line.shots);
 }
 

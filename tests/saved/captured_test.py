@@ -36,6 +36,13 @@ class Captured(ShotsCase):
         self.assertTrue(pixels(self.file("rendered.png")) == pixels(self.file("second.png")))
         self.assertGreater(len(set(pixels(self.file("second.png"))[::4])), 20, "surfaces with shades")
 
+    def test_openexr_files(self):
+        run = self.run_frames(1, "--shot", "light.exr", "--shot-at", "1", "--layers", "depth")
+        if "built without OpenEXR" in run.stderr:
+            self.skipTest("OpenEXR")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertTrue(self.file("light.exr").read_bytes().startswith(b"\x76\x2f\x31\x01"))
+
     def test_each_second_frame(self):
         run = self.run_frames(5, "--shot", "step-%02d.png", "--shot-at", "every:2", "--size", "320x240", "--no-overlays")
         self.assertEqual(run.stderr, "gluray: step-01.png: frame 2\ngluray: step-02.png: frame 4\n")
@@ -86,7 +93,8 @@ class Captured(ShotsCase):
 
     def test_mistakes_get_one_line(self):
         for words, part in ((["--shot", "x.jpg"], "ends in .png"), (["--shot-at", "3"], "need --shot FILE"),
-                            (["--size", "10x10"], "need --shot FILE"), (["--shot", "x.png", "--shot-at", "soon"], "use a frame's number"),
+                            (["--size", "10x10"], "need --shot FILE"), (["--layers", "depth"], "need --shot FILE"),
+                            (["--shot", "x.png", "--layers", "depth"], "ends in .exr"), (["--shot", "x.png", "--shot-at", "soon"], "use a frame's number"),
                             (["--shot", "x-%s.png", "--shot-at", "every"], "%04d"),
                             (["--shot", "x.png", "--shot-set", "spp=many"], "spp")):
             self.refused(2, ["run", *words, "--", "true"], part)

@@ -47,7 +47,7 @@ def run(page, gluray, python, update):
         return 77
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        environment = {**os.environ, "PATH": f"{gluray.parent}:{os.environ['PATH']}", "PYTHONPATH": str(python), "HOME": name, "XDG_CONFIG_HOME": name, "GLURAY_RUNTIME": f"{name}/run",
+        environment = {**os.environ, "PATH": f"{gluray.parent}:/usr/bin:/bin", "PYTHONPATH": str(python), "HOME": name, "XDG_CONFIG_HOME": name, "GLURAY_RUNTIME": f"{name}/run",
                        "QT_QPA_PLATFORM": "xcb"}
         environment.pop("GLURAY_ENGINE", None)
         for file, block in steps(text):

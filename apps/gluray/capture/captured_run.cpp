@@ -91,6 +91,16 @@ class Shots {
   bool failed_ = false;
 };
 
+/// What keeps pictures from being made of these options; empty: nothing is known.
+std::string whyNoPictures(const CommandLine& line) {
+  const std::string file = fileOfShot(line.shots, 1);
+  if (!file.ends_with(".png") && !file.ends_with(".exr")) return "";
+  PictureOptions options = line.picture;
+  options.file = file;
+  const std::string why = whyNotOf(options);
+  return why.empty() ? whyNoPictureInto(file) : why;
+}
+
 /// Why there is no picture.
 std::string whyNone(const CommandLine& line, const SceneFolder& folder) {
   const auto frames = folder.frames();
@@ -102,9 +112,7 @@ std::string whyNone(const CommandLine& line, const SceneFolder& folder) {
 }  // namespace
 
 int runWithShots(const CommandLine& line, const Program& program) {
-  for (const std::string& file : {fileOfShot(line.shots, 1)})
-    if (file.ends_with(".png"))
-      if (const std::string why = whyNotInto(file); !why.empty()) return say(why), kUsageError;
+  if (const std::string why = whyNoPictures(line); !why.empty()) return say(why), kUsageError;
   if (control::jobOfThisProcess().ranks > 1)
     return say("--shot: scenes of MPI programs are in several processes; run one process"), kUsageError;
   const SceneFolder folder(line.shots.file);

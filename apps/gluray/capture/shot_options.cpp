@@ -14,7 +14,7 @@
 namespace gluray::launcher {
 namespace {
 
-constexpr std::string_view kPicture = ".png", kScene = ".gluray";
+constexpr std::string_view kPng = ".png", kExr = ".exr", kScene = ".gluray";
 
 template <class Number>
 bool readAll(std::string_view text, Number& value) {
@@ -30,16 +30,6 @@ bool isCount(std::string_view text) {
 std::string endingOf(const std::string& file) {
   const size_t dot = file.rfind('.');
   return dot == file.npos || dot < file.rfind('/') + 1 ? "" : file.substr(dot);
-}
-
-/// Numbered names of any ending.
-std::string readNumberedName(const std::string& file, FilmName& name) {
-  const std::string ending = endingOf(file);
-  const std::string why =
-      readFilmName(file.substr(0, file.size() - ending.size()) + std::string(kPicture), name);
-  name.after.replace(name.after.size() - std::min(name.after.size(), kPicture.size()), kPicture.size(),
-                     ending);
-  return why;
 }
 
 }  // namespace
@@ -61,7 +51,7 @@ std::string planOf(const std::string& when) {
 std::string fileOfShot(const ShotOptions& options, int number) {
   if (!options.isSequence()) return options.file;
   FilmName name;
-  if (const std::string why = readNumberedName(options.file, name); !why.empty())
+  if (const std::string why = readFilmName(options.file, name, endingOf(options.file)); !why.empty())
     throw std::runtime_error(why);
   return name.file(number);
 }
@@ -73,8 +63,8 @@ std::string problemOf(const ShotOptions& options) {
   }
   const std::string ending = endingOf(options.file);
   const bool hasName = options.file.size() > options.file.rfind('/') + 1 + ending.size();
-  if (!hasName || (ending != kPicture && ending != kScene && !isOtherForm(options.file)))
-    return printable(options.file) + ": use a name that ends in .png, .gluray, .glb, .obj or .ply";
+  if (!hasName || (ending != kPng && ending != kExr && ending != kScene && !isOtherForm(options.file)))
+    return printable(options.file) + ": use a name that ends in .png, .exr, .gluray, .glb, .obj or .ply";
   if (options.quit && options.isSequence()) return "--quit: a sequence of pictures ends with the program";
   for (const std::string& pair : options.settings)
     if (std::string why = problemOfPair(pair); !why.empty()) return why;

@@ -34,6 +34,7 @@ TEST(ShotOptions, AreChecked) {
   EXPECT_EQ(problemOf({}), "");
   EXPECT_EQ(problemOf({.file = "a.png", .when = "3", .quit = true, .settings = {"spp=4"}}), "");
   EXPECT_EQ(problemOf({.file = "a-%02d.ply", .when = "every"}), "");
+  EXPECT_EQ(problemOf({.file = "a-%02d.exr", .when = "every"}), "");
   for (const ShotOptions& wrong :
        {ShotOptions{.when = "3"}, ShotOptions{.quit = true}, ShotOptions{.settings = {"spp=4"}},
         ShotOptions{.file = "a.jpg"}, ShotOptions{.file = "a"}, ShotOptions{.file = ".png"},

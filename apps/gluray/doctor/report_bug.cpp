@@ -122,7 +122,8 @@ int reportBug(const CommandLine& line) {
   const std::string archive = line.archive.empty() ? "gluray-report.tar.gz" : line.archive;
   if (!archive.ends_with(".tar.gz"))
     return say(printable(archive) + ": use a name that ends in .tar.gz"), kUsageError;
-  if (const std::string why = files::obstacle(archive); !why.empty()) return say(why), 1;
+  if (const std::string why = files::obstacle(archive); !why.empty())
+    return say(printable(archive) + " cannot be written: " + why), 1;
   const TemporaryFolder place;
   const Report report{place.path() + "/gluray-report"};
   fs::create_directory(report.folder);

@@ -54,12 +54,16 @@ struct ReleaseBvh {
   void operator()(RTCBVH bvh) const { rtcReleaseBVH(bvh); }
 };
 
+// Embree refuses deeper trees; by default, those of more than 32 levels. Where lines converge at a point, a
+// level may part little from the rest: at most as often as the exponents and digits of three floats differ.
+constexpr unsigned kMaxDepth = 1024;
+
 void group(const Device& device, Primitives& primitives, bool fast, Leaves& leaves) {
   const std::unique_ptr<std::remove_pointer_t<RTCBVH>, ReleaseBvh> bvh(rtcNewBVH(device.handle()));
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.byteSize = sizeof arguments;
   arguments.buildQuality = fast ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
-  arguments.maxBranchingFactor = 2;
+  arguments.maxBranchingFactor = 2, arguments.maxDepth = kMaxDepth;
   arguments.sahBlockSize = arguments.minLeafSize = arguments.maxLeafSize = CapsuleBundle::kMost;
   arguments.bvh = bvh.get();
   arguments.primitives = primitives.data();

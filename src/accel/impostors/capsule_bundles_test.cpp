@@ -80,6 +80,45 @@ TEST(CapsuleBundles, HoldEachCapsuleOnce) {
   }
 }
 
+/// Capsules with these ends, of a small radius.
+scene::Instance capsulesOf(std::vector<glm::vec3> ends) {
+  scene::Instance instance = bundledLines(1, glm::dvec3(1), false);
+  auto mesh = std::make_shared<scene::Mesh>(*instance.mesh);
+  mesh->vertexCount = static_cast<uint32_t>(ends.size()), mesh->triangleCount = mesh->vertexCount / 2;
+  mesh->positions = test::makeAttribute(std::move(ends), scene::Format::float3);
+  instance.mesh = mesh;
+  instance.impostors.radius = 1e-6f;
+  return instance;
+}
+
+uint32_t bundledIn(const scene::Instance& instance) {
+  const Device device;
+  const CapsuleBundles bundles(device, *instance.mesh, reachOf(instance, bundleCamera(1)), false);
+  uint32_t all = 0;
+  for (uint32_t i = 0; i < bundles.count(); ++i) all += bundles[i].count;
+  return all;
+}
+
+// Streamlines end in points that they never reach: trees of them are as deep as floats are fine.
+TEST(CapsuleBundles, TakeLinesThatConverge) {
+  std::vector<glm::vec3> ends;
+  for (int line = 0; line < 40; ++line) {
+    glm::vec3 at = spreadOut(static_cast<uint32_t>(line), 3);
+    for (int step = 0; step < 120; ++step, at *= 0.5f) ends.push_back(at), ends.push_back(0.5f * at);
+  }
+  EXPECT_EQ(bundledIn(capsulesOf(ends)), 40u * 120);
+}
+
+TEST(CapsuleBundles, TakeManyAtOnePlace) {
+  EXPECT_EQ(bundledIn(capsulesOf(std::vector<glm::vec3>(20000, {0.3f, 0.2f, 0.1f}))), 10000u);
+}
+
+TEST(CapsuleBundles, LeaveOutWhatIsInfinitelyFar) {
+  std::vector<glm::vec3> ends(2000, {0.3f, 0.2f, 0.1f});
+  ends[17].x = INFINITY, ends[300].y = -INFINITY, ends[500].z = 3e38f;
+  EXPECT_LE(bundledIn(capsulesOf(ends)), 1000u);
+}
+
 TEST(CapsuleBundles, LeaveOutWhatDoesNotExist) {
   const Device device;
   scene::Instance instance = bundledLines(1, glm::dvec3(1), false);
