@@ -118,7 +118,7 @@ def table_row(row: Row) -> str:
     flags = [f".{name} = {str(value).lower()}" for name, value in
              (("ranged", row.range is not None), ("files", row.is_file), ("explains", row.explains), ("exists", row.exists), ("inFiles", row.in_files))]
     words = f", .words = {list_name(row)}" if row.choices else f", .check = {row.check}" if row.check else ""
-    return f"""    {{.name = {quoted(row.name)},
+    return f"""    {{.name = {quoted(row.name)}, .title = {quoted(row.title)},
      .type = Type::{KINDS.get(row.type, row.type)},
      .applies = Applies::{row.applies},
      .changes = Changes::{row.changes},
@@ -126,7 +126,7 @@ def table_row(row: Row) -> str:
      .least = {float(least)!r}, .most = {float(most)!r}, .leastMeans = {quoted(row.least)}, .unit = {quoted(row.unit)},
      .help = {quoted(row.help)},
      .more = {quoted(row.more)},
-     .group = {quoted(row.group)}, .since = {quoted(row.since)},
+     .group = {quoted(row.group)}, .level = Level::{row.level}, .since = {quoted(row.since)},
      .option = {quoted(row.option)}, .placeholder = {quoted(row.placeholder)}{words},
      .place = [](Session& s) -> Place {{ return {place(row)}; }}}},
 """
@@ -143,6 +143,8 @@ def table(rows: list[Row]) -> str:
         words += f"constexpr Word {list_name(row)}[] = {{\n{lines}}};\n"
     return f"""{HEADER}// Included by src/settings/rows.cpp alone, inside its namespace.
 {words}
+constexpr std::string_view kGroups[] = {{{', '.join(map(quoted, settings_rows.GROUPS))}}};
+
 constexpr Row kRows[] = {{
 {''.join(table_row(r) for r in rows)}}};
 """

@@ -109,16 +109,16 @@ def bash(rows: list[Row]) -> str:
 
 def markdown(rows: list[Row]) -> str:
     text = ""
-    for group in dict.fromkeys(r.group for r in rows):
+    for group, inside in settings_rows.by_group(rows).items():
         text += f"\n## {group}\n"
-        for row in (r for r in rows if r.group == group):
-            facts = [kind_of(row), f"default: {shown_default(row)}", f"applies {APPLIES[row.applies]}"]
+        for row in inside:
+            facts = [row.level, kind_of(row), f"default: {shown_default(row)}", f"applies {APPLIES[row.applies]}"]
             facts += ["changes the image"] if row.changes == "image" else []
             facts += [f"`{row.option}{'' if row.type == 'bool' else ' ' + row.placeholder}`"] if row.option else []
             facts += [f"`{row.variable}`", f"since {row.since}"]
             choices = "".join(f"- `{c.word}`: {c.help}\n" for c in row.choices if c.help)
             only = "" if row.in_files else " Files may not hold it."
-            text += f"\n### {row.name}\n\n" + textwrap.fill(f"{row.help} {row.more}".strip() + only, 128, break_on_hyphens=False) + "\n\n"
+            text += f"\n### {row.title} (`{row.name}`)\n\n" + textwrap.fill(f"{row.help} {row.more}".strip() + only, 128, break_on_hyphens=False) + "\n\n"
             text += (choices + "\n" if choices else "") + textwrap.fill("; ".join(facts) + ".", 128, break_on_hyphens=False) + "\n"
     return text
 

@@ -10,6 +10,10 @@ SPEC = pathlib.Path(__file__).resolve().parent.parent / "spec/settings.toml"
 TYPES = ("bool", "int", "float", "choice", "color", "vector", "string", "path", "list", "quirks")
 APPLIES = ("frame", "context", "process")
 CHANGES = ("image", "way")
+LEVELS = ("basic", "advanced", "expert")
+# In the order of pages and lists.
+GROUPS = ("Quality", "Speed", "Light", "Shadows", "Occlusion", "Materials", "Camera", "Background", "Files", "Diagnosis", "Control", "Cluster")
+TITLE_WORDS = 4
 # Environment variables that are not settings.
 RESERVED = {"GLURAY_COMMAND_LINE", "GLURAY_CONFIG", "GLURAY_ENGINE_LIBRARY", "GLURAY_OIDN", "GLURAY_PID", "GLURAY_PROGRAM", "GLURAY_PROJECT", "GLURAY_REAL_EGL",
             "GLURAY_REAL_GLX", "GLURAY_ROOTS", "GLURAY_RUNTIME"}
@@ -40,9 +44,11 @@ class Choice:
 @dataclasses.dataclass
 class Row:
     name: str
+    title: str
     type: str
     help: str
     group: str
+    level: str
     since: str
     applies: str
     changes: str
@@ -121,20 +127,30 @@ def check_default(row: Row) -> None:
         fail(row.name, f"the default must be one of {', '.join(row.words)}")
 
 
+def check_title(row: Row) -> None:
+    words = row.title.split()
+    if " ".join(words) != row.title or len(words) > TITLE_WORDS:
+        fail(row.name, f"a title has at most {TITLE_WORDS} words with one blank between them")
+    # Sentence case: names such as OpenGL keep their capitals.
+    if not words[0][0].isupper() or any(w.istitle() for w in words[1:]):
+        fail(row.name, "a title is in sentence case: only its first word begins with a capital")
+
+
 def checked(fields: dict) -> Row:
     name = fields.get("name", "(without name)")
     known = {f.name.replace("_", "-") for f in dataclasses.fields(Row) if f.init}
     if unknown := set(fields) - known:
         fail(name, f"unknown field {', '.join(sorted(unknown))}")
-    for needed in ("name", "type", "help", "group", "since", "applies", "changes"):
+    for needed in ("name", "title", "type", "help", "group", "level", "since", "applies", "changes"):
         if not fields.get(needed):
             fail(name, f"needs a field '{needed}'")
     row = Row(**{k.replace("-", "_"): " ".join(v.split()) if isinstance(v, str) and k in ("help", "more") else v for k, v in fields.items()})
     if not re.fullmatch(r"[a-z][a-z0-9]*([-.][a-z][a-z0-9]*)*", name) or name.split(".")[0] in RESERVED_NAMES or row.variable in RESERVED:
         fail(name, "a name must be lower-case words with - or . between them, and not reserved")
-    for field, allowed in (("type", TYPES), ("applies", APPLIES), ("changes", CHANGES), ("items", ("string", "path"))):
+    for field, allowed in (("type", TYPES), ("applies", APPLIES), ("changes", CHANGES), ("items", ("string", "path")), ("group", GROUPS), ("level", LEVELS)):
         if getattr(row, field) not in allowed:
             fail(name, f"{field} must be one of {', '.join(allowed)}")
+    check_title(row)
     if row.changes == "image" and not row.in_settings:
         fail(name, "a setting that changes the image must apply to frames or contexts")
     if row.option and not re.fullmatch(r"--[a-z][a-z-]*", row.option):
@@ -161,7 +177,7 @@ def checked(fields: dict) -> Row:
 
 def read(path: pathlib.Path = SPEC) -> list[Row]:
     rows = [checked(fields) for fields in tomllib.loads(path.read_text())["setting"]]
-    for what in ("name", "variable", "option"):
+    for what in ("name", "title", "variable", "option"):
         seen: set[str] = set()
         for row in rows:
             value = getattr(row, what)
@@ -180,6 +196,12 @@ def read(path: pathlib.Path = SPEC) -> list[Row]:
         if f"{head.name}.enabled" in named:
             fail(head.name, f"files write it as {head.name}.enabled, which is another setting")
     return rows
+
+
+def by_group(rows: list[Row]) -> dict[str, list[Row]]:
+    """The rows of each group that has any, in the order of GROUPS; basic ones first."""
+    grouped = {group: sorted((r for r in rows if r.group == group), key=lambda r: LEVELS.index(r.level)) for group in GROUPS}
+    return {group: inside for group, inside in grouped.items() if inside}
 
 
 def default_text(row: Row) -> str:

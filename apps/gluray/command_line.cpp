@@ -56,7 +56,9 @@ void addProfileOption(CLI::App& app, CommandLine& line) {
 void addListOptions(CLI::App& app, CommandLine& line) {
   app.add_option("--why", line.why, "Show one setting and the value from each layer (file, environment ...)")
       ->type_name("NAME");
-  app.add_flag("--changed", line.changed, "Omit settings that have their built-in values");
+  app.add_flag("--all", line.all, "List advanced and expert settings, too; JSON always has all");
+  app.add_flag("--changed", line.changed,
+               "List all settings that do not have their built-in values, and no others");
   addProfileOption(app, line);
 }
 
@@ -182,7 +184,8 @@ void describe(CLI::App& app, CommandLine& line) {
       usage("options");
       return;
     case Command::settings:
-      app.description("Lists all settings with their values and where these come from.");
+      app.description(
+          "Lists the basic settings with their values and where these come from; with --all, all settings.");
       app.name("gluray settings");
       usage("options");
       addListOptions(app, line);

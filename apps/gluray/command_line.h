@@ -73,6 +73,7 @@ struct CommandLine {
   std::string html;                            // file; empty: none
   // settings, get, presets, watch
   std::string why, profile;        // a setting, a program; empty: none
+  bool all = false;                // settings of every level
   bool changed = false;            // only settings that differ from their built-in values
   std::vector<std::string> names;  // of settings or presets
   bool layers = false;             // each layer's value

@@ -33,6 +33,7 @@ namespace gluray::panel {
 namespace {
 
 constexpr const char* kTitle = "page-title";  // property of a page: its tab's text without a number
+constexpr int kWidth = 1200, kHeight = 800;   // pixels: all tabs fit
 constexpr int kSide = 290;                    // pixels: width of the list of programs
 constexpr int kToolLine = 12000;              // milliseconds
 
@@ -40,7 +41,7 @@ constexpr int kToolLine = 12000;              // milliseconds
 
 MainWindow::MainWindow(Controls& controls) : controls_(controls) {
   setWindowTitle(tr("GLuRay"));
-  resize(1080, 800);
+  resize(kWidth, kHeight);
   auto* splitter = new QSplitter(this);
   splitter->addWidget(makePrograms());
   splitter->addWidget(makePages());
@@ -234,9 +235,12 @@ void MainWindow::showState(int program) {
 void MainWindow::filter() {
   const QString search = search_->text();
   const bool changed = changedOnly_->isChecked(), filters = !search.isEmpty() || changed;
+  std::vector<QWidget*> empty;
   const auto show = [&](QWidget* page, int left) {
     const QString title = page->property(kTitle).toString();
     tabs_->setTabText(tabs_->indexOf(page), filters ? title + " (" + QString::number(left) + ")" : title);
+    tabs_->setTabVisible(tabs_->indexOf(page), true);
+    if (filters && left == 0) empty.push_back(page);
   };
   SettingsPage* best = nullptr;
   bool current = false;  // a page of settings is shown
@@ -248,6 +252,8 @@ void MainWindow::filter() {
   }
   show(objects_, objects_->filter(search));
   if (filters && best && current) tabs_->setCurrentWidget(best);
+  for (QWidget* page : empty)
+    if (page != tabs_->currentWidget()) tabs_->setTabVisible(tabs_->indexOf(page), false);
 }
 
 }  // namespace gluray::panel

@@ -110,7 +110,8 @@ TEST_F(WindowToolsTest, Images) {
   for (int i = 0; i < 100; ++i) program.state({{"noise", 0.3 / (i + 1)}, {"passes", i}, {"fps", 20 + i % 7}});
   program.say("lights", "headlight+key");
   QTest::qWait(50);
-  for (const char* title : {"Light", "Materials", "Objects", "Quality", "Speed", "Image"}) {
+  for (const char* title : {"Quality", "Speed", "Light", "Shadows", "Occlusion", "Materials", "Objects",
+                            "Camera", "Background"}) {
     open(title);
     QTest::qWait(20);
     window.findChild<ObjectsPage*>()->select(4);

@@ -3,6 +3,7 @@
 #include "control/messages/base64.h"
 #include "pages/live/live_image.h"
 #include "pages/program_list.h"
+#include "testing/reveal.h"
 
 #include <gtest/gtest.h>
 
@@ -159,6 +160,7 @@ TEST_F(MainWindowTest, KeysThatFollowEachOtherAreOneGesture) {
 TEST_F(MainWindowTest, ANumberThatIsTypedStays) {
   appear();
   window.activateWindow();
+  reveal(*setting("ao.samples"));
   auto* box = setting("ao.samples")->findChild<QDoubleSpinBox*>();
   box->setFocus();
   QTest::qWait(1);
@@ -166,7 +168,7 @@ TEST_F(MainWindowTest, ANumberThatIsTypedStays) {
   box->selectAll();
   QTest::keyClicks(box, "51");
   take({{"type", "event"}, {"what", "settings"}, {"program", 1}, {"values", json::object()}});
-  EXPECT_EQ(box->text(), "51");
+  EXPECT_EQ(box->text(), "51 rays");
   QTest::keyClick(box, Qt::Key_Return);
   EXPECT_EQ(sent.back()["values"], json({{"ao.samples", 51}}));
 }
@@ -192,13 +194,15 @@ TEST_F(MainWindowTest, SearchesInAllPages) {
   appear();
   auto* search = window.findChild<QLineEdit*>("search");
   ASSERT_NE(search, nullptr);
-  QTest::keyClicks(search, "aperture");
+  QTest::keyClicks(search, "Aperture radius");
   auto* tabs = window.findChild<QTabWidget*>();
   EXPECT_EQ(tabs->tabText(tabs->currentIndex()).section(' ', 0, 0), "Camera");
   EXPECT_TRUE(setting("camera.aperture")->isVisible());
+  EXPECT_FALSE(tabs->isTabVisible(0)) << "a page without matches";
   image("panel-search");
   search->clear();
-  EXPECT_EQ(tabs->tabText(0), "Light");
+  EXPECT_EQ(tabs->tabText(0), "Quality");
+  for (int i = 0; i < tabs->count(); ++i) EXPECT_TRUE(tabs->isTabVisible(i)) << i;
 }
 
 TEST_F(MainWindowTest, HidesWhatIsNotChanged) {

@@ -140,7 +140,7 @@ TEST_F(WindowToolsTest, ClosingSetsBackWhatAFilmVaries) {
   ASSERT_NE(dialog, nullptr);
   dialog->findChild<QLineEdit*>("film-folder")->setText(folder.path());
   auto* setting = dialog->findChild<QComboBox*>("film-setting");
-  setting->setCurrentIndex(setting->findText("spp"));
+  setting->setCurrentIndex(setting->findData("spp"));
   dialog->findChild<QAbstractButton*>("film-start")->click();
   ASSERT_TRUE(program.until([&] { return program.calls("shot").size() == 2; }));
   window.close();

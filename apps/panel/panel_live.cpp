@@ -7,6 +7,7 @@
 #include "model/hub_thread.h"
 #include "pages/live/live_view.h"
 #include "pages/objects/objects_page.h"
+#include "testing/reveal.h"
 #include "wake/wake.h"
 
 #include <gtest/gtest.h>
@@ -82,9 +83,12 @@ class PanelLiveTest : public testing::Test {
     });
   }
   void image(const char* name) { window_.grab().save(QString("%1/panel-%2.png").arg(g_folder, name)); }
+  /// A widget of a setting's editor, which is brought into view.
   template <class Widget>
   Widget& part(const char* setting) {
-    return *window_.findChild<QWidget*>(setting)->findChild<Widget*>();
+    auto* editor = window_.findChild<QWidget*>(setting);
+    if (!QString(setting).startsWith("object.")) reveal(*editor);
+    return *editor->findChild<Widget*>();
   }
   LiveView& view() { return *window_.findChild<LiveView*>(); }
   /// Shows the only program. Returns where its image has a surface.
@@ -197,6 +201,7 @@ TEST_F(PanelLiveTest, PickedObjectsGetMaterials) {
 TEST_F(PanelLiveTest, LightFollowsTheMouse) {
   program("painter");
   const QPoint surface = showAndPoint();
+  openPage(*window_.findChild<QWidget*>("lights"));
   LiveImage& live_ = view().liveImage();
   window_.findChild<QAbstractButton*>("tool-light")->click();
   QTest::mousePress(&live_, Qt::LeftButton, {}, surface);
@@ -247,6 +252,7 @@ TEST_F(PanelLiveTest, Pages) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   QApplication application(argc, argv);
+  const gluray::panel::OwnMemory memory;
   using namespace gluray::panel;
   if (argc < 4) return 2;
   g_gluray = argv[1], g_client = argv[2], g_folder = argv[3];

@@ -156,12 +156,14 @@ def help(name):
     else:
         row = _row_of_executable(name)
     print(f"{row['name']} (default: {json.dumps(row.get('default'))})")
+    if row.get("title"):  # programs of earlier versions have none
+        print(f"  {row['title']} ({row.get('group')}, {row.get('level')})")
     print("  " + " ".join(f"{row.get('help', '')} {row.get('more', '')}".split()))
     for word in row.get("words") or []:
         if word.get("help"):
             print(f"    {word['word']}: {word['help']}")
     if row.get("values"):
-        print(f"  Values: {row['values']}" + (f" {row['unit']}" if row.get("unit") else ""))
+        print(f"  Values: {row['values']}")
 
 
 def _row_of_executable(name):

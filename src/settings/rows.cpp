@@ -16,6 +16,21 @@ namespace {
 
 std::span<const Row> settingRows() { return kRows; }
 
+std::span<const std::string_view> settingGroups() { return kGroups; }
+
+std::vector<const Row*> rowsOfGroup(std::string_view group) {
+  std::vector<const Row*> rows;
+  for (const Row& row : kRows)
+    if (row.group == group) rows.push_back(&row);
+  std::stable_sort(rows.begin(), rows.end(), [](const Row* a, const Row* b) { return a->level < b->level; });
+  return rows;
+}
+
+std::string_view nameOf(Level level) {
+  constexpr std::string_view kNames[] = {"basic", "advanced", "expert"};
+  return kNames[static_cast<size_t>(level)];
+}
+
 const Row* findSetting(std::string_view name) {
   const auto* found =
       std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& r) { return r.name == name; });

@@ -17,6 +17,8 @@ enum class Type : uint8_t { boolean, integer, real, choice, color, vector, text,
 enum class Applies : uint8_t { frame, context, process };
 /// image: the result differs from the real OpenGL's; way: only the way in which the image is made differs.
 enum class Changes : uint8_t { image, way };
+/// Who needs the setting. basic: for figures and speed; advanced; expert: for special cases.
+enum class Level : uint8_t { basic, advanced, expert };
 
 /// One word of a choice; the enumerators have the same order.
 struct Word {
@@ -28,14 +30,16 @@ using Place = std::variant<bool*, int*, float*, uint8_t*, glm::vec3*, std::strin
                            QuirkSet*>;
 
 struct Row {
-  std::string_view name;
+  std::string_view name, title;  // "ao.samples", and for people "Occlusion rays"
   Type type;
   Applies applies;
   Changes changes;
   bool ranged, files;              // numbers are limited to [least, most]; texts are file names
   bool explains, exists, inFiles;  // as in spec/settings.toml
   double least, most;
-  std::string_view leastMeans, unit, help, more, group, since;
+  std::string_view leastMeans, unit, help, more, group;
+  Level level;
+  std::string_view since;
   std::string_view option, placeholder;  // "--threads" (empty: only --set) and "N" for its value
   std::span<const Word> words = {};
   std::string (*check)(std::string_view entry) = nullptr;  // checks a list's entry; empty: valid
@@ -43,6 +47,15 @@ struct Row {
 };
 
 std::span<const Row> settingRows();
+
+/// The groups of settings, in the order of pages and lists. Each row's `group` is one of them.
+std::span<const std::string_view> settingGroups();
+
+/// The rows of a group: basic ones, then advanced and expert ones, each in the order of spec/settings.toml.
+std::vector<const Row*> rowsOfGroup(std::string_view group);
+
+/// The word of a level in spec/settings.toml: "basic", "advanced" or "expert".
+std::string_view nameOf(Level level);
 
 /// The row of a setting; null if no setting has the name.
 const Row* findSetting(std::string_view name);

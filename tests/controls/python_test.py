@@ -227,7 +227,8 @@ class Python(PythonCase):
             with contextlib.redirect_stdout(text):
                 gluray.help("ao.samples")
             self.assertIn("ao.samples (default: 16)", text.getvalue())
-            self.assertIn("from 1 to 4096", text.getvalue())
+            self.assertIn("Occlusion rays (Occlusion, advanced)", text.getvalue())
+            self.assertIn("from 1 to 4096 rays\n", text.getvalue())
             self.refusal(lambda: gluray.help("ao.sample"))
             hub.end()
             hub = self.hub()

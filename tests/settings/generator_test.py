@@ -47,8 +47,15 @@ class Pages(Folder):
         self.check("docs/man/gluray.toml.5", '.BR added.radius " = \\fInumber\\fR"', ".BR added.sky", ".BR added.names", ".BR added.deep.first\\-mode")
 
     def test_settings_page(self):
-        self.check("docs/settings.md", "## Added\n", "### added.enabled\n\nAdds a switch.\n\ntrue or false; default: false; applies from the next frame on; changes the image",
+        self.check("docs/settings.md", "### Added switch (`added.enabled`)\n\nAdds a switch.\n\nbasic; true or false; default: false; applies from the next frame on; changes the image",
                    "`GLURAY_ADDED_UP`", "a number, from 0 (nothing) to 10 ms; default: 0.5", "- `low`: adds little", "default: 0.25,0.5,1")
+
+    def test_settings_page_has_groups_with_basic_settings_first(self):
+        page = self.pages["docs/settings.md"]
+        occlusion = page[page.index("\n## Occlusion\n"):page.index("\n## Materials\n")]
+        places = [occlusion.index(f"(`{name}`)") for name in ("ao", "added.enabled", "ao.samples", "added.radius", "ao.on", "added.count")]
+        self.assertEqual(places, sorted(places))
+        self.assertGreater(page.index("(`added.deep.first-mode`)"), page.index("\n## Cluster\n"))
 
     def complete(self, *words: str) -> list[str]:
         script = f"""source '{self.folder}/completions/gluray'; COMP_WORDS=({' '.join(f"'{w}'" for w in words)}); COMP_CWORD={len(words) - 1}
@@ -72,7 +79,7 @@ class Pages(Folder):
 
 class Refused(Folder):
     def refuse(self, why: str, **fields):
-        row = dict(name="x", type="int", range=[0, 1], help="h", group="g", since="1", applies="frame", changes="way") | fields
+        row = dict(name="x", title="New", type="int", range=[0, 1], help="h", group="Light", level="basic", since="1", applies="frame", changes="way") | fields
         text = "\n".join(f"{k.replace('_', '-')} = {self.toml(v)}" for k, v in row.items() if v is not None)
         spec = self.folder / "spec.toml"
         spec.write_text((ROOT / "spec/settings.toml").read_text() + "\n[[setting]]\n" + text + "\n")
@@ -87,6 +94,16 @@ class Refused(Folder):
 
     def test_rows(self):
         self.refuse("needs a field 'help'", help=None)
+        self.refuse("needs a field 'title'", title=None)
+        self.refuse("needs a field 'level'", level=None)
+        self.refuse("needs a field 'group'", group=None)
+        self.refuse("group must be one of Quality, Speed", group="Lights")
+        self.refuse("level must be one of basic, advanced, expert", level="simple")
+        self.refuse("another setting has the title Ambient occlusion", title="Ambient occlusion")
+        self.refuse("a title has at most 4 words", title="One two three four five")
+        self.refuse("a title has at most 4 words", title="Two  blanks")
+        self.refuse("sentence case", title="New Radius")
+        self.refuse("sentence case", title="new radius")
         self.refuse("unknown field rnage", rnage=[0, 1])
         self.refuse("type must be one of", type="double")
         self.refuse("numbers need a range", range=None)

@@ -11,7 +11,9 @@
 
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gluray::launcher {
@@ -29,9 +31,21 @@ Layers layersFor(const CommandLine& line) {
 
 std::string shown(const std::string& value) { return value.empty() ? "-" : printable(value); }
 
+/// The value with its unit, or with what it means if it is the least one: "30 degrees", "0 (all cores)".
+std::string shownWithUnit(const Row& row, const Session& session) {
+  const std::string text = printValue(row, session);
+  const json value = control::valueOf(row, text);
+  if (!value.is_number()) return shown(text);
+  if (!row.leastMeans.empty() && value.get<double>() == row.least)
+    return text + " (" + std::string(row.leastMeans) + ")";
+  return row.unit.empty() ? text : text + " " + std::string(row.unit);
+}
+
 std::string originOf(const Given* given) {
   return given ? std::string(nameOf(given->layer)) + ": " + printable(given->place) : "built-in";
 }
+
+bool isChanged(const Layers& layers, const Row& row) { return !sameValue(row, layers.session, Session{}); }
 
 /// As programs describe their settings (control::description), with the value.
 json describe(const Layers& layers, const Row& row) {
@@ -45,7 +59,8 @@ json describe(const Layers& layers, const Row& row) {
 
 void printWhy(const Layers& layers, const Row& row) {
   std::cout << row.name << " = " << shown(printValue(row, layers.session)) << "  ("
-            << originOf(layers.last(row)) << ")\n\n"
+            << originOf(layers.last(row)) << ")\n\n  " << row.title << " (" << row.group << ", "
+            << nameOf(row.level) << ")\n"
             << wrapped(std::string(row.help) + " " + std::string(row.more), 76, "  ");
   for (const Word& word : row.words)
     if (!word.help.empty())
@@ -82,8 +97,34 @@ std::vector<const Row*> wanted(const CommandLine& line, const Layers& layers) {
   std::vector<const Row*> rows;
   for (const std::string& name : line.names) rows.push_back(findSetting(name));
   for (const Row& row : settingRows())
-    if (line.names.empty() && !sameValue(row, layers.session, Session{})) rows.push_back(&row);
+    if (line.names.empty() && isChanged(layers, row)) rows.push_back(&row);
   return rows;
+}
+
+/// Whether the list of `gluray settings` has the setting.
+bool isListed(const CommandLine& line, const Layers& layers, const Row& row) {
+  return line.changed ? isChanged(layers, row) : line.all || row.level == Level::basic;
+}
+
+/// The listed settings below the names of their groups; columns are aligned over all groups.
+void printGroups(const CommandLine& line, const Layers& layers) {
+  TextTable table("llll");
+  std::vector<std::string_view> groups;  // of the table's rows
+  for (const std::string_view group : settingGroups())
+    for (const Row* row : rowsOfGroup(group)) {
+      if (!isListed(line, layers, *row)) continue;
+      groups.push_back(group);
+      table.row({std::string(row->title), std::string(row->name), shownWithUnit(*row, layers.session),
+                 originOf(layers.last(*row))});
+    }
+  std::istringstream lines(table.text("  "));
+  std::string one;
+  for (size_t i = 0; std::getline(lines, one); ++i) {
+    if (i == 0 || groups[i] != groups[i - 1]) std::cout << groups[i] << "\n";
+    std::cout << one << "\n";
+  }
+  if (const size_t more = settingRows().size() - groups.size(); more > 0 && !line.changed)
+    std::cout << more << " more settings: gluray settings --all\n";
 }
 
 }  // namespace
@@ -122,14 +163,11 @@ int getSettings(const CommandLine& line) {
 int listSettings(const CommandLine& line) {
   const Layers layers = layersFor(line);
   if (!line.why.empty()) return explainOne(line, layers);
+  if (!line.json) return printGroups(line, layers), 0;
   json list = json::array();
-  TextTable table("lll");
-  for (const Row& row : settingRows()) {
-    if (line.changed && sameValue(row, layers.session, Session{})) continue;
-    list.push_back(describe(layers, row));
-    table.row({std::string(row.name), shown(printValue(row, layers.session)), originOf(layers.last(row))});
-  }
-  std::cout << (line.json ? jsonText(list) + "\n" : table.text(""));
+  for (const Row& row : settingRows())
+    if (!line.changed || isChanged(layers, row)) list.push_back(describe(layers, row));
+  std::cout << jsonText(list) << "\n";
   return 0;
 }
 

@@ -90,7 +90,7 @@ TEST(Editors, ANumberIsTypedOrSlid) {
   Made made("ao.samples");
   made.editor->show(16);
   auto* box = made.part<QDoubleSpinBox>();
-  EXPECT_EQ(box->text(), "16");
+  EXPECT_EQ(box->text(), "16 rays");
   box->selectAll();
   QTest::keyClicks(box, "32");
   EXPECT_TRUE(made.values.empty());  // not yet complete

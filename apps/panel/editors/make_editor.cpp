@@ -25,10 +25,9 @@ Editor* newEditor(const Row& row, QWidget* parent) {
 
 Editor* makeEditor(const Row& row, QWidget* parent) {
   Editor* editor = newEditor(row, parent);
-  const QString name = qtText(row.name);
-  editor->setObjectName(name);
+  editor->setObjectName(qtText(row.name));
   if (QWidget* proxy = editor->focusProxy()) {
-    proxy->setAccessibleName(name);
+    proxy->setAccessibleName(qtText(row.title));
     proxy->setAccessibleDescription(qtText(row.help));
   }
   return editor;

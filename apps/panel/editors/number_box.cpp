@@ -25,7 +25,7 @@ NumberBox::NumberBox(const Row& row, QWidget* parent)
   connect(this, &QDoubleSpinBox::editingFinished, this, [this] { lineEdit()->setModified(false); });
   setFocusPolicy(Qt::StrongFocus);
   if (!row.unit.empty()) setSuffix(" " + qtText(row.unit));
-  setMinimumWidth(fontMetrics().horizontalAdvance("-0.000000000 degrees"));
+  setMinimumWidth(fontMetrics().horizontalAdvance("-0.000000000 scene diagonals"));
   if (!row.leastMeans.empty()) setToolTip(textFromValue(row.least) + ": " + qtText(row.leastMeans));
 }
 

@@ -73,8 +73,8 @@ NumberEditor::NumberEditor(const Row& row, QWidget* parent)
     slider_->setRange(0, Scale::kSteps);
     slider_->setPageStep(Scale::kSteps / 20);
     slider_->setFocusPolicy(Qt::StrongFocus);
-    slider_->setMinimumWidth(120);
-    slider_->setAccessibleName(qtText(row.name));
+    slider_->setMinimumWidth(80);
+    slider_->setAccessibleName(qtText(row.title));
     layout->addWidget(slider_, 1);
     connect(slider_, &QSlider::valueChanged, this, [this](int position) { slid(position); });
     connect(slider_, &QSlider::sliderReleased, this, [this] { send(box_->value(), false); });

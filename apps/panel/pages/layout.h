@@ -8,22 +8,23 @@
 
 namespace gluray::panel {
 
-/// Settings of one heading: those whose names begin with the same word.
+/// Settings of one level.
 struct Section {
-  std::string word;  // "ao"
+  Level level;
   std::vector<const Row*> rows;
 };
 
+/// The settings of a group, basic ones in the first section.
 struct Page {
-  std::string title;
+  std::string title;  // the group's name
   std::vector<Section> sections;
 };
 
-/// All settings that a running program takes, in the table's order: Light, Materials, Camera, Quality, Speed,
-/// Image; settings that none of these names come last, under their group.
+/// All settings that a running program takes, in the order of settingGroups(). The setting `preset` is left
+/// out: the tool bar has it.
 std::vector<Page> pages();
 
-/// Whether the row fits what the user searches for: each word is in its name, help or group.
+/// Whether the row fits what the user searches for: each word is in its title, name, help or group.
 bool matches(const Row& row, std::string_view search);
 
 }  // namespace gluray::panel

@@ -16,19 +16,40 @@ TEST(Pages, HaveEverySettingOfRunningProgramsOnce) {
     EXPECT_EQ(times[row.name], row.applies == Applies::frame && row.name != "preset") << row.name;
 }
 
-TEST(Pages, BeginWithTheirFixedOrder) {
-  const std::vector<Page> all = pages();
-  ASSERT_GE(all.size(), 6u);
-  EXPECT_EQ(all[0].title, "Light");
-  EXPECT_EQ(all[0].sections[0].word, "ao");
-  EXPECT_EQ(all[5].title, "Image");
+TEST(Pages, AreGroupsInTheirOrder) {
+  size_t group = 0;
+  for (const Page& page : pages()) {
+    while (group < settingGroups().size() && settingGroups()[group] != page.title) ++group;
+    ASSERT_LT(group, settingGroups().size()) << page.title;
+    for (const Section& section : page.sections)
+      for (const Row* row : section.rows) EXPECT_EQ(row->group, page.title) << row->name;
+  }
+  EXPECT_EQ(pages()[0].title, "Quality");
+}
+
+TEST(Pages, BeginWithTheirBasicSettings) {
+  for (const Page& page : pages())
+    for (size_t i = 0; i < page.sections.size(); ++i) {
+      const Section& section = page.sections[i];
+      EXPECT_FALSE(section.rows.empty()) << page.title;
+      if (i > 0) { EXPECT_LT(page.sections[i - 1].level, section.level) << page.title; }
+      for (const Row* row : section.rows) EXPECT_EQ(row->level, section.level) << row->name;
+    }
+  EXPECT_EQ(pages()[0].sections[0].level, Level::basic);
 }
 
 TEST(Matches, LooksForEachWord) {
   const Row& row = *findSetting("ao.samples");
   EXPECT_TRUE(matches(row, ""));
-  EXPECT_TRUE(matches(row, "AO Sampl"));
-  EXPECT_FALSE(matches(row, "ao zebra"));
+  EXPECT_TRUE(matches(row, "AO.Sampl"));
+  EXPECT_TRUE(matches(row, "occlusion RAYS"));
+  EXPECT_FALSE(matches(row, "ao.samples zebra"));
+}
+
+TEST(Matches, FindsTitlesThatHelpDoesNotMention) {
+  const Row& row = *findSetting("shadows.size");
+  ASSERT_EQ(row.help.find("softness"), row.help.npos);
+  EXPECT_TRUE(matches(row, "shadow softness"));
 }
 
 }  // namespace

@@ -12,9 +12,12 @@
 namespace gluray::panel {
 namespace {
 
+constexpr const char* kDiffers = " \u2260";
+
 QString helpOf(const Row& row) {
-  QString text = "<p><b>" + qtText(row.name).toHtmlEscaped() + "</b></p><p>" +
-                 qtText(row.help).toHtmlEscaped() + " " + qtText(row.more).toHtmlEscaped() + "</p>";
+  QString text = "<p><b>" + qtText(row.title).toHtmlEscaped() + "</b> (<code>" +
+                 qtText(row.name).toHtmlEscaped() + "</code>)</p><p>" + qtText(row.help).toHtmlEscaped() +
+                 " " + qtText(row.more).toHtmlEscaped() + "</p>";
   if (const std::string values = allowedValues(row); !values.empty())
     text +=
         "<p>" + SettingRow::tr("Values: %1.").arg(QString::fromStdString(values).toHtmlEscaped()) + "</p>";
@@ -23,30 +26,22 @@ QString helpOf(const Row& row) {
   return text;
 }
 
-/// "samples" of "ao.samples"; "ao" of "ao".
-QString shortName(const Row& row) {
-  const size_t dot = row.name.find('.');
-  return qtText(dot == row.name.npos ? row.name : row.name.substr(dot + 1));
-}
-
 }  // namespace
 
 SettingRow::SettingRow(const Row& row, Controls& controls, QWidget* parent)
     : QWidget(parent),
       row_(row),
       controls_(controls),
-      text_(shortName(row)),
-      label_(new QLabel(text_, this)),
+      label_(new QLabel(qtText(row.title), this)),
       editor_(makeEditor(row, this)),
       reset_(new QToolButton(this)),
       movement_(controls, this) {
-  label_->setMinimumWidth(fontMetrics().horizontalAdvance("transmission  "));
   label_->setBuddy(editor_);
   label_->setToolTip(helpOf(row));
   editor_->setToolTip(helpOf(row));
   reset_->setText("\u21ba");
   reset_->setAutoRaise(true);
-  reset_->setAccessibleName(tr("Reset %1").arg(qtText(row.name)));
+  reset_->setAccessibleName(tr("Reset %1").arg(qtText(row.title)));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(label_);
@@ -58,10 +53,13 @@ SettingRow::SettingRow(const Row& row, Controls& controls, QWidget* parent)
   update();
 }
 
-void SettingRow::headsGroup() {
-  text_ = row_.type == Type::boolean ? tr("enabled") : row_.type == Type::choice ? tr("kind") : tr("value");
-  update();
+int SettingRow::widestLabel() const {
+  QFont bold = label_->font();
+  bold.setBold(true);
+  return QFontMetrics(bold).horizontalAdvance(qtText(row_.title) + kDiffers);
 }
+
+void SettingRow::setLabelWidth(int width) { label_->setFixedWidth(width); }
 
 void SettingRow::update() {
   const std::string name(row_.name);
@@ -72,7 +70,7 @@ void SettingRow::update() {
   QFont font = label_->font();
   font.setBold(changed_);
   label_->setFont(font);
-  label_->setText(text_ + (controls_.differs(name) ? " \u2260" : ""));
+  label_->setText(qtText(row_.title) + (controls_.differs(name) ? kDiffers : ""));
   const QString from = now.place.empty() ? QString::fromStdString(now.layer)
                                          : QString::fromStdString(now.layer + ": " + now.place);
   reset_->setEnabled(controls_.isLive(name));

@@ -1,4 +1,4 @@
-// One setting in the panel: its name, an editor, a button that resets it. GUI thread.
+// One setting in the panel: its title, an editor, a button that resets it. GUI thread.
 #pragma once
 #include "model/controls.h"
 #include "model/movement.h"
@@ -24,8 +24,9 @@ class SettingRow : public QWidget {
   /// Shows what the chosen program has.
   void update();
   QLabel* label() const { return label_; }
-  /// The setting heads the group under whose name it stands, such as `ao`: its label does not repeat that.
-  void headsGroup();
+  /// Width in pixels that the label needs for its title in bold with the sign of different values.
+  int widestLabel() const;
+  void setLabelWidth(int width);
 
  private:
   void send(const nlohmann::json& value, bool more);
@@ -33,7 +34,6 @@ class SettingRow : public QWidget {
 
   const Row& row_;
   Controls& controls_;
-  QString text_;  // of the label
   QLabel* label_;
   Editor* editor_;
   QToolButton* reset_;

@@ -1,65 +1,124 @@
 #include "pages/settings_page.h"
 
+#include "panel_memory.h"
+
+#include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace gluray::panel {
+namespace {
+
+constexpr int kScrollBar = 24;  // pixels
+
+QString headingOf(Level level) {
+  return level == Level::advanced ? SettingsPage::tr("Advanced")
+         : level == Level::expert ? SettingsPage::tr("Expert")
+                                  : QString();
+}
+
+/// Of the page's state in the panel's memory.
+QString keyOf(const QString& page) { return "more/" + page; }
+
+}  // namespace
 
 SettingsPage::SettingsPage(const Page& page, Controls& controls, QWidget* parent)
-    : QScrollArea(parent), controls_(controls) {
+    : QScrollArea(parent), controls_(controls), title_(QString::fromStdString(page.title)) {
   auto* inside = new QWidget(this);
   layout_ = new QVBoxLayout(inside);
-  for (const Section& section : page.sections) addSection(section);
-  layout_->addStretch(1);
   setWidget(inside);
+  const bool hasBasic = page.sections.front().level == Level::basic;
+  size_t others = 0;
+  for (const Section& section : page.sections)
+    if (section.level != Level::basic) others += section.rows.size();
+  for (const Section& section : page.sections) {
+    if (hasBasic && !more_ && section.level != Level::basic) addMore(others);
+    addSection(section);
+  }
+  layout_->addStretch(1);
+  alignLabels();
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setMinimumWidth(inside->minimumSizeHint().width() + 24);
+  setMinimumWidth(inside->minimumSizeHint().width() + kScrollBar);
+  if (more_) showMore(PanelMemory().value(keyOf(title_), false).toBool());
 }
 
-/// Neighbours of one setting each, whose name the heading would only repeat, share a box without one.
 void SettingsPage::addSection(const Section& section) {
-  const bool alone = section.rows.size() == 1 && section.rows[0]->name == section.word;
-  if (!alone || boxes_.empty() || !boxes_.back().first->title().isEmpty()) {
-    auto* made = new QGroupBox(alone ? QString() : QString::fromStdString(section.word), widget());
-    new QVBoxLayout(made);
-    layout_->addWidget(made);
-    boxes_.emplace_back(made, std::vector<SettingRow*>());
-  }
-  auto& [box, rows] = boxes_.back();
+  auto* box = new QGroupBox(headingOf(section.level), widget());
+  new QVBoxLayout(box);
+  layout_->addWidget(box);
+  boxes_.push_back({section.level, box, {}});
   for (const Row* row : section.rows) {
-    rows.push_back(new SettingRow(*row, controls_, box));
-    if (!alone && row->name == section.word) rows.back()->headsGroup();
-    box->layout()->addWidget(rows.back());
+    boxes_.back().rows.push_back(new SettingRow(*row, controls_, box));
+    box->layout()->addWidget(boxes_.back().rows.back());
   }
+}
+
+void SettingsPage::addMore(size_t settings) {
+  more_ = new QToolButton(widget());
+  more_->setObjectName("more");
+  more_->setText(tr("More settings (%1)").arg(settings));
+  more_->setToolTip(tr("Shows advanced and expert settings of this page"));
+  more_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  more_->setFocusPolicy(Qt::StrongFocus);
+  more_->setCheckable(true);
+  more_->setAutoRaise(true);
+  layout_->addWidget(more_);
+  connect(more_, &QToolButton::toggled, this, [this](bool shown) {
+    PanelMemory().setValue(keyOf(title_), shown);
+    showMore(shown);
+  });
+}
+
+/// Editors of all boxes begin at the same place.
+void SettingsPage::alignLabels() {
+  int width = 0;
+  for (const Box& box : boxes_)
+    for (const SettingRow* row : box.rows) width = std::max(width, row->widestLabel());
+  for (const Box& box : boxes_)
+    for (SettingRow* row : box.rows) row->setLabelWidth(width);
+}
+
+void SettingsPage::showMore(bool shown) {
+  more_->setChecked(shown);
+  more_->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
+  if (filters_) return;
+  for (const Box& box : boxes_) box.widget->setVisible(isOpen(box));
+}
+
+bool SettingsPage::isOpen(const Box& box) const {
+  return !more_ || more_->isChecked() || box.level == Level::basic;
 }
 
 void SettingsPage::setTop(QWidget* top) {
   top_ = top;
   layout_->insertWidget(0, top);
-  setMinimumWidth(widget()->minimumSizeHint().width() + 24);
+  setMinimumWidth(widget()->minimumSizeHint().width() + kScrollBar);
 }
 
 void SettingsPage::setUsable(bool usable) {
-  for (const auto& [box, rows] : boxes_) box->setEnabled(usable);
+  for (const Box& box : boxes_) box.widget->setEnabled(usable);
 }
 
 void SettingsPage::update() {
-  for (const auto& [box, rows] : boxes_)
-    for (SettingRow* row : rows) row->update();
+  for (const Box& box : boxes_)
+    for (SettingRow* row : box.rows) row->update();
 }
 
 int SettingsPage::filter(const QString& search, bool changedOnly) {
   int left = 0;
-  if (top_) top_->setVisible(search.isEmpty() && !changedOnly);
-  for (const auto& [box, rows] : boxes_) {
+  filters_ = !search.isEmpty() || changedOnly;
+  if (top_) top_->setVisible(!filters_);
+  if (more_) more_->setVisible(!filters_);
+  for (const Box& box : boxes_) {
     int inBox = 0;
-    for (SettingRow* row : rows) {
+    for (SettingRow* row : box.rows) {
       const bool fits = matches(row->row(), search.toStdString()) && (!changedOnly || row->isChanged());
       row->setVisible(fits);
       inBox += fits;
     }
-    box->setVisible(inBox > 0);
+    box.widget->setVisible(inBox > 0 && (filters_ || isOpen(box)));
     left += inBox;
   }
   return left;

@@ -1,13 +1,13 @@
-// A page of settings, with a box for each heading. GUI thread.
+// A page of settings: the basic ones, a button "More", and below it a box for each other level. GUI thread.
 #pragma once
 #include "pages/layout.h"
 #include "pages/setting_row.h"
 
 #include <QGroupBox>
 #include <QScrollArea>
-#include <utility>
 #include <vector>
 
+class QToolButton;
 class QVBoxLayout;
 
 namespace gluray::panel {
@@ -19,8 +19,8 @@ class SettingsPage : public QScrollArea {
   SettingsPage(const Page& page, Controls& controls, QWidget* parent);
   /// Shows what the chosen program has.
   void update();
-  /// Hides settings that do not match, and with `changedOnly` those that have their built-in values. Returns
-  /// how many are left.
+  /// Hides settings that do not match, and with `changedOnly` those that have their built-in values. Looks at
+  /// settings of all levels. Returns how many match.
   int filter(const QString& search, bool changedOnly);
   /// Puts a widget above the settings; it is hidden while settings are searched.
   void setTop(QWidget* top);
@@ -28,12 +28,25 @@ class SettingsPage : public QScrollArea {
   void setUsable(bool usable);
 
  private:
+  struct Box {
+    Level level;
+    QGroupBox* widget;
+    std::vector<SettingRow*> rows;
+  };
   void addSection(const Section& section);
+  void addMore(size_t settings);
+  void alignLabels();
+  void showMore(bool shown);
+  /// Whether a box shows settings without a filter.
+  bool isOpen(const Box& box) const;
 
   Controls& controls_;
+  const QString title_;
   QVBoxLayout* layout_;
   QWidget* top_ = nullptr;
-  std::vector<std::pair<QGroupBox*, std::vector<SettingRow*>>> boxes_;
+  QToolButton* more_ = nullptr;  // null: the page has settings of one kind only, basic ones or others
+  bool filters_ = false;
+  std::vector<Box> boxes_;
 };
 
 }  // namespace gluray::panel

@@ -99,6 +99,7 @@ json description(const Row& row) {
   json words = json::array();
   for (const Word& word : row.words) words.push_back({{"word", word.word}, {"help", word.help}});
   return {{"name", row.name},
+          {"title", row.title},
           {"type", kTypes[static_cast<size_t>(row.type)]},
           {"default", valueOf(row, printValue(row, Session{}))},
           {"least", row.ranged ? json(row.least) : json()},
@@ -109,6 +110,7 @@ json description(const Row& row) {
           {"help", row.help},
           {"more", row.more},
           {"group", row.group},
+          {"level", nameOf(row.level)},
           {"values", allowedValues(row)},
           {"applies", kApplies[static_cast<size_t>(row.applies)]},
           {"changesPicture", row.changes == Changes::image}};

@@ -23,9 +23,9 @@ TextOrWhy textOf(const Row& row, const nlohmann::json& value);
 /// `place`. A layer may set it in several places.
 nlohmann::json layersOf(const Layers& layers, const Row& row);
 
-/// Description of a setting: an object with `name`, `type`, `default`, `least`, `most` (null: no limit),
-/// `words` (a list of objects with `word`, `help`), `unit`, `help`, `more`, `group`, `applies`,
-/// `changesPicture`.
+/// Description of a setting: an object with `name`, `title`, `type`, `default`, `least`, `most` (null: no
+/// limit), `leastMeans`, `words` (a list of objects with `word`, `help`), `unit`, `help`, `more`, `group`,
+/// `level` ("basic", "advanced" or "expert"), `values`, `applies`, `changesPicture`.
 nlohmann::json description(const Row& row);
 
 }  // namespace gluray::control

@@ -58,6 +58,11 @@ TEST(TextOf, RefusesWhatIsNoValue) {
 
 TEST(Description, HasWhatWidgetsNeed) {
   const json samples = description(namedRow("ao.samples"));
+  EXPECT_EQ(samples["title"], "Occlusion rays");
+  EXPECT_EQ(samples["group"], "Occlusion");
+  EXPECT_EQ(samples["level"], "advanced");
+  EXPECT_EQ(samples["unit"], "rays");
+  EXPECT_EQ(description(namedRow("ao"))["level"], "basic");
   EXPECT_EQ(samples["type"], "integer");
   EXPECT_EQ(samples["least"], 1);
   EXPECT_TRUE(samples["most"].is_number());

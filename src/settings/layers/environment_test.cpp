@@ -109,7 +109,7 @@ TEST(Environment, UnreadableValuesAreReportedAndKeepTheirDefaults) {
   EXPECT_EQ(session.settings, Settings{});
   EXPECT_EQ(session.logLevel, LogLevel::warning);
   ASSERT_EQ(g_variableComplaints.size(), 3u);
-  EXPECT_EQ(g_variableComplaints[0], "GLURAY_THREADS=many: use a number from 0 (all cores) to 1024");
+  EXPECT_EQ(g_variableComplaints[0], "GLURAY_THREADS=many: use a number from 0 (all cores) to 1024 threads");
   EXPECT_EQ(g_variableComplaints[1], "GLURAY_BVH=quick: use auto, fast, full, compact or least");
   EXPECT_EQ(g_variableComplaints[2], "GLURAY_LOG_LEVEL=loud: use trace, debug, info, warning, error or off");
 }

@@ -166,7 +166,7 @@ TEST_F(LayersOf, WrongPresetsAreReported) {
   EXPECT_EQ(g_layerComplaints,
             (std::vector<std::string>{
                 sources_.userFile + ":3: no setting is called 'sp'; did you mean 'spp'?",
-                "mine, " + sources_.userFile + ":4: ao.samples = 0: use a number from 1 to 4096",
+                "mine, " + sources_.userFile + ":4: ao.samples = 0: use a number from 1 to 4096 rays",
                 sources_.userFile + ":5: preset: a preset cannot name another"}));
   g_layerComplaints.clear();
   sources_.userFile = file("user.toml", "presets = 3\n");

@@ -107,8 +107,12 @@ void FilmDialog::makeVaried(QFormLayout* form) {
   setting_ = new QComboBox(fields_);
   setting_->setObjectName("film-setting");
   setting_->addItem(tr("none"));
-  for (const Row& row : settingRows())
-    if (row.applies == Applies::frame && isNumber(row)) setting_->addItem(qtText(row.name));
+  for (const std::string_view group : settingGroups())
+    for (const Row* row : rowsOfGroup(group)) {
+      if (row->applies != Applies::frame || !isNumber(*row)) continue;
+      setting_->addItem(qtText(row->title), qtText(row->name));
+      setting_->setItemData(setting_->count() - 1, qtText(row->name), Qt::ToolTipRole);
+    }
   setting_->setToolTip(tr("It varies over the film, and is restored at the end"));
   form->addRow(tr("S&etting that changes"), setting_);
   from_ = newValueBox(tr("First value"), "film-from", fields_);
@@ -121,7 +125,7 @@ void FilmDialog::makeVaried(QFormLayout* form) {
 
 /// The boxes take what the setting takes, and begin with what it is.
 void FilmDialog::showRange() {
-  const std::string name = setting_->currentText().toStdString();
+  const std::string name = setting_->currentData().toString().toStdString();
   const Row* row = setting_->currentIndex() > 0 ? findSetting(name) : nullptr;
   const nlohmann::json value = row ? controls_.value(name).value : nlohmann::json();
   for (QDoubleSpinBox* box : {from_, to_}) {
@@ -148,7 +152,7 @@ FilmPlan FilmDialog::plan() const {
   plan.folder = folder_->text(), plan.name = name_->text();
   plan.frames = frames_->value();
   if (setting_->currentIndex() == 0) return plan;
-  plan.setting = setting_->currentText().toStdString();
+  plan.setting = setting_->currentData().toString().toStdString();
   plan.from = from_->value(), plan.to = to_->value();
   const Row* row = findSetting(plan.setting);
   plan.whole = row && row->type == Type::integer;

@@ -149,7 +149,7 @@ TEST_F(FilmDialogTest, SaysWhatIsWrongBeforeItBegins) {
   start.click();
   EXPECT_EQ(message(), "Type a name without slashes.");
   part<QLineEdit>("film-name").setText("b");
-  part<QComboBox>("film-setting").setCurrentText("lights.azimuth");
+  part<QComboBox>("film-setting").setCurrentText("Key light azimuth");
   EXPECT_EQ(part<QDoubleSpinBox>("film-to").maximum(), 360);
   EXPECT_EQ(part<QDoubleSpinBox>("film-from").value(), 30);
   part<QSpinBox>("film-frames").setValue(0);

@@ -87,7 +87,7 @@ void ObjectEditor::makeFields(QGridLayout* grid) {
     field.editor = makeEditor(*row, this);
     field.editor->setObjectName("object." + qtText(row->name));
     field.editor->setToolTip(qtText(row->help));
-    field.label = new QLabel(qtText(row->name.substr(row->name.find('.') + 1)), this);
+    field.label = new QLabel(qtText(row->title), this);
     field.label->setBuddy(field.editor);
     field.label->setToolTip(qtText(row->help));
     grid->addWidget(field.label, at % lines, 2 * (at / lines));
@@ -166,8 +166,7 @@ void ObjectEditor::showField(const Field& field) {
   const json first = objects_.empty() ? otherwise : valueOf(*field.row, 0, otherwise, said);
   for (size_t i = 1; i < objects_.size(); ++i) differs |= valueOf(*field.row, i, otherwise, said) != first;
   if (!field.editor->busy()) field.editor->show(first);
-  field.label->setText(qtText(field.row->name.substr(field.row->name.find('.') + 1)) +
-                       (differs ? " \u2260" : ""));
+  field.label->setText(qtText(field.row->title) + (differs ? " \u2260" : ""));
   setBold(field.label, said);
 }
 
