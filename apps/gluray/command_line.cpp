@@ -125,7 +125,7 @@ void describe(CLI::App& app, CommandLine& line) {
   if (line.command == Command::hub) return describeHub(app, line);
   if (line.command == Command::render) return describeRender(app, line);
   if (line.command == Command::exportScene) return describeExport(app, line);
-  if (line.command != Command::run && line.command != Command::panel)
+  if (line.command != Command::run && line.command != Command::panel && line.command != Command::reportBug)
     app.add_flag("--json", line.json, "Print JSON");
   if (describeControl(app, line)) return;
   switch (line.command) {
