@@ -18,6 +18,7 @@ HERE = ROOT / "bench" / "guide"
 sys.path.insert(0, str(ROOT / "bench"))
 sys.dont_write_bytecode = True
 from support.display import NoDisplay, display  # noqa: E402
+from support import machine  # noqa: E402
 from support.options import Parser  # noqa: E402
 
 OUT = ROOT / "docs" / "guide" / "hero.png"
@@ -52,6 +53,7 @@ def main():
     options = parser.parse_args()
     shown = panels([str(options.build.resolve() / "apps" / "gluray" / "gluray")])
     rates = {name: [] for name, *_ in shown}
+    result = {"suite": "hero", "command": f"bench/guide/hero.py --rounds {options.rounds}", **machine.describe(ROOT)}
     try:
         with display() as screen, tempfile.TemporaryDirectory() as folder:
             files = [pathlib.Path(folder) / f"{name}.png" for name, *_ in shown]
@@ -61,7 +63,9 @@ def main():
             for (_, command, samples, _), file in zip(shown, files):
                 draw(screen, file, command, "--samples", samples)
             labels = [text.format(len(os.sched_getaffinity(0)), figure(statistics.median(rates[name]))) for name, _, _, text in shown]
-            print(*labels, rates, sep="\n")
+            result["rows"] = [{"scene": SCENE, "what": name, "frames_per_second": rates[name]} for name in rates]
+            machine.write(ROOT, "hero", result)
+            print(*labels, sep="\n")
             subprocess.run([PYTHON, str(HERE / "beside.py"), str(OUT), *map(str, files), "--labels", *labels], check=True)
     except NoDisplay as error:
         print(f"hero: {error}", file=sys.stderr)
