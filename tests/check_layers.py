@@ -34,6 +34,7 @@ ALLOWED = {
 # A nested folder is a folder of its own ("outer/inner"); "" is the room itself. Folders named testing, whose headers tests alone
 # include, have no place in the order, nor have *_test.cpp.
 FOLDERS = {
+    "base": ["processes", ""],
     "settings": ["", "layers", "live"],
     "frame": ["tracing", "refinement", "idle", "images", "pixels", "questions"],
     "accel": ["memory", "rays", "device", "impostors", "queries", "blocks", "meshes", "pages", "cache", "volumes", ""],

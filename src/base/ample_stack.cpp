@@ -1,6 +1,6 @@
 #include "base/ample_stack.h"
 
-#include "base/own_thread.h"
+#include "base/processes/own_thread.h"
 
 #include <pthread.h>
 

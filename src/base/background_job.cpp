@@ -1,7 +1,7 @@
 #include "base/background_job.h"
 
 #include "base/never_destroyed.h"
-#include "base/own_thread.h"
+#include "base/processes/own_thread.h"
 
 #include <pthread.h>
 #include <sys/resource.h>

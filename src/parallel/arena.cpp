@@ -1,7 +1,7 @@
 #include "parallel/arena.h"
 
-#include "base/address_space.h"
 #include "base/never_destroyed.h"
+#include "base/processes/address_space.h"
 
 #include <tbb/info.h>
 #include <tbb/task_scheduler_observer.h>

@@ -1,5 +1,7 @@
 #include "capture/scene_folder.h"
 
+#include "base/files.h"
+#include "base/number_text.h"
 #include "base/printable.h"
 
 #include <fcntl.h>
@@ -7,11 +9,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
@@ -20,15 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string textIn(const std::string& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+constexpr size_t kMostAnswer = 1 << 16;  // bytes
 
 std::optional<uint64_t> numberIn(const std::string& text) {
   uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+  return readNumber(text, number) ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace
@@ -59,7 +54,7 @@ std::optional<CapturedFrame> SceneFolder::next() const {
     const auto number = numberIn(entry.path().stem());
     if ((!isScene && !isWhy) || !number || (first && first->frame <= *number)) continue;
     first = {.frame = *number};
-    isScene ? first->scene = entry.path() : first->why = textIn(entry.path());
+    isScene ? first->scene = entry.path() : first->why = files::read(entry.path(), kMostAnswer).text;
   }
   return first;
 }
@@ -72,6 +67,8 @@ void SceneFolder::remove(const CapturedFrame& frame) const {
     }
 }
 
-std::optional<uint64_t> SceneFolder::frames() const { return numberIn(textIn(path_ + "/frames")); }
+std::optional<uint64_t> SceneFolder::frames() const {
+  return numberIn(files::read(path_ + "/frames", kMostAnswer).text);
+}
 
 }  // namespace gluray::launcher

@@ -1,5 +1,6 @@
 #include "capture/shot_options.h"
 
+#include "base/number_text.h"
 #include "base/printable.h"
 #include "control/images/film_plan.h"
 #include "pictures/picture_options.h"
@@ -7,7 +8,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
 #include <stdexcept>
 #include <string_view>
 
@@ -16,15 +16,9 @@ namespace {
 
 constexpr std::string_view kPng = ".png", kExr = ".exr", kScene = ".gluray";
 
-template <class Number>
-bool readAll(std::string_view text, Number& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
-}
-
 bool isCount(std::string_view text) {
   uint64_t count = 0;
-  return readAll(text, count) && count > 0;
+  return readNumber(text, count) && count > 0;
 }
 
 std::string endingOf(const std::string& file) {
@@ -41,7 +35,7 @@ std::string planOf(const std::string& when) {
   if (when.starts_with("every:") && isCount(text.substr(6))) return when;
   if (isCount(text)) return "frame:" + when;
   double seconds = 0;
-  if (text.ends_with('s') && readAll(text.substr(0, text.size() - 1), seconds) && seconds >= 0)
+  if (text.ends_with('s') && readNumber(text.substr(0, text.size() - 1), seconds) && seconds >= 0)
     return "seconds:" + when.substr(0, when.size() - 1);
   throw std::runtime_error(
       "--shot-at " + when +

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -26,6 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
+
+constexpr size_t kMostReported = size_t{1} << 28;  // of files that are read whole
 
 /// Runs a command whose output goes to the file. `logs`: where GLuRay writes its log; empty: nowhere. Returns
 /// its exit code.
@@ -47,13 +48,6 @@ int run(const Words& words, const std::string& file, const std::string& logs = "
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-std::string textIn(const std::string& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 /// The system, its libraries of OpenGL, and the variables that matter.
 std::string systemText() {
   std::ostringstream text;
@@ -61,7 +55,7 @@ std::string systemText() {
   uname(&names);
   text << "gluray " GLURAY_VERSION "\n"
        << names.sysname << ' ' << names.release << ' ' << names.machine << "\n\n";
-  text << textIn("/etc/os-release") << "\n";
+  text << files::read("/etc/os-release", kMostReported).text << "\n";
   for (char** variable = environ; *variable; ++variable) {
     const std::string_view one = *variable;
     for (const char* start : {"GLURAY", "DISPLAY=", "WAYLAND_DISPLAY=", "LD_", "LIBGL", "MESA", "GALLIUM",
@@ -136,8 +130,9 @@ int reportBug(const CommandLine& line) {
   list(report.folder);
   const std::string made = place.path() + "/report.tar.gz", said = place.path() + "/tar.txt";
   if (run({"tar", "-czf", made, "-C", place.path(), "gluray-report"}, said) != 0)
-    return say("tar could not make the archive: " + textIn(said)), 1;
-  if (const std::string why = files::replace(archive, textIn(made)); !why.empty()) return failed(why);
+    return say("tar could not make the archive: " + files::read(said, kMostReported).text), 1;
+  if (const std::string why = files::replace(archive, files::read(made, kMostReported).text); !why.empty())
+    return failed(why);
   std::cout
       << printable(archive)
       << " is written; nothing was sent. It names your files and your user: look at it before you attach it "

@@ -1,6 +1,7 @@
 #include "explain/watched_run.h"
 
 #include "base/files.h"
+#include "base/processes/rest_detector.h"
 #include "programs/doors.h"
 #include "programs/launch.h"
 #include "programs/stop_signals.h"
@@ -90,45 +91,20 @@ class Reports {
   std::map<std::string, Known> known_;
 };
 
-/// Detects that a program has come to rest: it has drawn, then no new frame for `seconds`, while it used less
-/// than kIdle of a core.
-class RestDetector {
- public:
-  explicit RestDetector(double seconds) : seconds_(seconds) {}
+/// The number of frames, or of draws in programs that end no frame.
+uint64_t drawn(const Reports& reports) {
+  const auto frames = reports.sum<uint64_t>([](const json& r) { return r["frames"].get<uint64_t>(); });
+  if (frames > 0) return frames;
+  return reports.sum<uint64_t>([](const json& r) {
+    uint64_t draws = r["draws"]["traced"].get<uint64_t>();
+    for (const auto& [reason, count] : r["draws"]["rasterised"].items()) draws += count.get<uint64_t>();
+    return draws;
+  });
+}
 
-  bool atRest(const Reports& reports) {
-    constexpr double kIdle = 0.2;  // of one core
-    if (seconds_ <= 0) return false;
-    const uint64_t frames = drawn(reports);
-    const double time = now();
-    if (frames == 0 || frames != frames_) return begin(reports, frames, time);
-    if (time - since_ < seconds_) return false;
-    if (worked(reports) - worked_ < kIdle * (time - since_)) return true;
-    return begin(reports, frames, time);
-  }
-
- private:
-  /// The number of frames, or of draws in programs that end no frame.
-  static uint64_t drawn(const Reports& reports) {
-    const auto frames = reports.sum<uint64_t>([](const json& r) { return r["frames"].get<uint64_t>(); });
-    if (frames > 0) return frames;
-    return reports.sum<uint64_t>([](const json& r) {
-      uint64_t draws = r["draws"]["traced"].get<uint64_t>();
-      for (const auto& [reason, count] : r["draws"]["rasterised"].items()) draws += count.get<uint64_t>();
-      return draws;
-    });
-  }
-  static double worked(const Reports& reports) {
-    return reports.sum<double>([](const json& r) { return processorSeconds(r["pid"].get<int>()); });
-  }
-  bool begin(const Reports& reports, uint64_t frames, double time) {
-    frames_ = frames, since_ = time, worked_ = worked(reports);
-    return false;
-  }
-  double seconds_;
-  uint64_t frames_ = 0;
-  double since_ = 0, worked_ = 0;
-};
+double worked(const Reports& reports) {
+  return reports.sum<double>([](const json& r) { return processorSeconds(r["pid"].get<int>()); });
+}
 
 bool isComplete(const Reports& reports) {
   return reports.sum<int>([](const json& r) { return r["explain"]["complete"].get<bool>() ? 1 : 0; }) > 0;
@@ -143,7 +119,8 @@ WatchedRun::Ending waitForEnding(Child& child, const Watch& wish, Reports& repor
     if (isComplete(reports)) return WatchedRun::Ending::frames;
     if (ended) return WatchedRun::Ending::byItself;
     if (StopSignals::stopped()) return WatchedRun::Ending::stopped;
-    if (rest.atRest(reports)) return WatchedRun::Ending::rest;
+    if (wish.restSeconds > 0 && rest.isAtRest(drawn(reports), now(), [&] { return worked(reports); }))
+      return WatchedRun::Ending::rest;
     if (wish.limitSeconds > 0 && now() - start > wish.limitSeconds) return WatchedRun::Ending::limit;
   }
 }

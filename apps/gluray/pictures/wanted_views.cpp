@@ -1,7 +1,7 @@
 #include "pictures/wanted_views.h"
 
 #include "base/hash.h"
-#include "pictures/camera_files.h"
+#include "pictures/cameras/camera_files.h"
 
 #include <algorithm>
 #include <cstdio>

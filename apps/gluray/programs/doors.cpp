@@ -1,9 +1,9 @@
 #include "programs/doors.h"
 
-#include "base/address_space.h"
 #include "base/environment_variable.h"
 #include "base/files.h"
 #include "base/guarded_write.h"
+#include "base/processes/address_space.h"
 #include "intercept/probe/real_vendor.h"
 #include "programs/door_files.h"
 #include "programs/own_osmesa.h"

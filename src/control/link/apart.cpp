@@ -1,7 +1,7 @@
 #include "control/link/apart.h"
 
 #include "base/log.h"
-#include "base/own_thread.h"
+#include "base/processes/own_thread.h"
 
 #include <fcntl.h>
 #include <linux/close_range.h>

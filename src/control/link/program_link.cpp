@@ -3,7 +3,7 @@
 #include "base/clock.h"
 #include "base/hash.h"
 #include "base/log.h"
-#include "base/own_thread.h"
+#include "base/processes/own_thread.h"
 #include "control/link/apart.h"
 #include "control/link/program_side.h"
 #include "control/runtime_directory.h"

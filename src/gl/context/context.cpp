@@ -1,6 +1,6 @@
 #include "gl/context/context.h"
 
-#include "base/process_exit.h"
+#include "base/processes/process_exit.h"
 #include "parallel/arena.h"
 
 #include <atomic>

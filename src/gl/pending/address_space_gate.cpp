@@ -1,6 +1,6 @@
 #include "gl/pending/address_space_gate.h"
 
-#include "base/address_space.h"
+#include "base/processes/address_space.h"
 
 #include <atomic>
 

@@ -1,7 +1,7 @@
 #include "gl/pending/pending_batch.h"
 
 #include "base/log.h"
-#include "base/process_exit.h"
+#include "base/processes/process_exit.h"
 #include "gl/batch/clears.h"
 #include "gl/pending/address_space_gate.h"
 #include "gl/pending/cleared_pixels.h"

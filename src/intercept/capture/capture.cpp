@@ -3,13 +3,16 @@
 #include "base/background_job.h"
 #include "base/clock.h"
 #include "base/log.h"
+#include "base/processes/rest_detector.h"
 #include "gl/objects/shown_frames.h"
 #include "intercept/capture/capture_folder.h"
 #include "intercept/capture/capture_plan.h"
-#include "intercept/capture/rest_detector.h"
 #include "intercept/control/shown_as_saved.h"
 #include "intercept/present/read_back/window_buffers.h"
 #include "intercept/session/guarded.h"
+
+#include <sys/resource.h>
+#include <sys/time.h>
 
 #include <atomic>
 #include <chrono>
@@ -23,6 +26,18 @@ namespace gluray::intercept {
 namespace {
 
 using Pixels = CapturedPixels;
+
+constexpr double kQuiet = 1.5;  // seconds without a frame until a window may be at rest
+
+/// That this process has used.
+double processorSeconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
 
 /// The part of a window, bottom row first.
 saved::SavedPicture partOf(const Pixels& window, const glm::ivec4& box) {
@@ -115,12 +130,13 @@ class Capture {
   /// Takes the last frame at a time at which no other ends.
   void watch(const std::atomic<bool>& cancelled) {
     constexpr std::chrono::milliseconds kPause{50};
-    RestDetector rest;
+    RestDetector rest(kQuiet);
     for (; !cancelled && !ended_; std::this_thread::sleep_for(kPause)) {
       const std::lock_guard lock(mutex_);
       const double now = nowSeconds();
-      const bool due = plan_.when == CapturePlan::When::seconds ? now - began_ >= plan_.seconds
-                                                                : windows_ && rest.isAtRest(frames_, now);
+      const bool due = plan_.when == CapturePlan::When::seconds
+                           ? now - began_ >= plan_.seconds
+                           : windows_ && rest.isAtRest(frames_, now, processorSeconds);
       if (due && last_ && !ended_) write();
     }
   }

@@ -1,16 +1,9 @@
 #include "intercept/capture/capture_plan.h"
 
-#include <charconv>
-#include <system_error>
+#include "base/number_text.h"
 
 namespace gluray::intercept {
 namespace {
-
-template <class Number>
-bool readAll(std::string_view text, Number& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
-}
 
 bool readWhen(std::string_view word, CapturePlan& plan) {
   using When = CapturePlan::When;
@@ -18,10 +11,11 @@ bool readWhen(std::string_view word, CapturePlan& plan) {
   const std::string_view name = word.substr(0, colon);
   const std::string_view value = colon == word.npos ? "" : word.substr(colon + 1);
   if (name == "idle") return plan.when = When::idle, value.empty();
-  if (name == "seconds") return plan.when = When::seconds, readAll(value, plan.seconds) && plan.seconds >= 0;
+  if (name == "seconds")
+    return plan.when = When::seconds, readNumber(value, plan.seconds) && plan.seconds >= 0;
   if (name != "frame" && name != "every") return false;
   plan.when = name == "frame" ? When::frame : When::every;
-  return readAll(value, plan.number) && plan.number > 0;
+  return readNumber(value, plan.number) && plan.number > 0;
 }
 
 }  // namespace

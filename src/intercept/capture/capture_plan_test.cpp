@@ -1,7 +1,5 @@
-// Plans of captures, and when a program is at rest.
+// Plans of captures.
 #include "intercept/capture/capture_plan.h"
-
-#include "intercept/capture/rest_detector.h"
 
 #include <gtest/gtest.h>
 
@@ -36,17 +34,6 @@ TEST(CapturePlan, WantsItsFrames) {
   EXPECT_TRUE(later.keepsLast() && idle.keepsLast());
   EXPECT_FALSE(third.keepsLast() || every.keepsLast());
   EXPECT_FALSE(every.isSingle());
-}
-
-TEST(RestDetector, WaitsUntilNothingIsDrawnOrComputed) {
-  RestDetector rest;
-  EXPECT_FALSE(rest.isAtRest(0, 0, 0));
-  EXPECT_FALSE(rest.isAtRest(0, 10, 0)) << "it has shown nothing";
-  EXPECT_FALSE(rest.isAtRest(1, 11, 5));
-  EXPECT_FALSE(rest.isAtRest(1, 12, 5)) << "too early";
-  EXPECT_FALSE(rest.isAtRest(1, 13, 7)) << "it computes";
-  EXPECT_FALSE(rest.isAtRest(2, 14, 7)) << "it draws";
-  EXPECT_TRUE(rest.isAtRest(2, 16, 7.1));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #define _GNU_SOURCE
 #include "intercept/doors/door.h"
 
-#include "base/address_space.h"
 #include "base/guarded_write.h"
 #include "base/printable.h"
+#include "base/processes/address_space.h"
 #include "intercept/doors/door_table.h"
 #include "intercept/doors/real_symbols.h"
 

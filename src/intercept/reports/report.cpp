@@ -4,7 +4,7 @@
 #include "base/files.h"
 #include "base/log.h"
 #include "base/never_destroyed.h"
-#include "base/own_thread.h"
+#include "base/processes/own_thread.h"
 #include "frame/idle/idle_refiner.h"
 #include "frame/refinement/refinement_progress.h"
 #include "gl/buffers/buffer.h"

@@ -1,5 +1,6 @@
 #include "control/images/film_plan.h"
 
+#include "base/number_text.h"
 #include "settings/setting_options.h"
 #include "shell_word.h"
 
@@ -15,8 +16,7 @@ namespace {
 constexpr size_t kDigits = 4, kMaxDigits = 9;
 
 bool readRampEnd(std::string_view text, double& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+  return readNumber(text, number) && std::isfinite(number);
 }
 
 }  // namespace

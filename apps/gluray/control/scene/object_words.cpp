@@ -1,9 +1,9 @@
 #include "control/scene/object_words.h"
 
+#include "base/number_text.h"
 #include "settings/object_rule.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 #include <unordered_set>
 
@@ -13,8 +13,7 @@ namespace {
 bool startsWithDigit(std::string_view word) { return !word.empty() && word[0] >= '0' && word[0] <= '9'; }
 
 bool readObjectNumber(std::string_view text, uint32_t& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() && number > 0;
+  return readNumber(text, number) && number > 0;
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-#include "pictures/camera_files.h"
+#include "pictures/cameras/camera_files.h"
 
 #include "base/files.h"
 #include "base/printable.h"
-#include "pictures/paraview_cameras.h"
+#include "pictures/cameras/paraview_cameras.h"
 
 #include <nlohmann/json.hpp>
 

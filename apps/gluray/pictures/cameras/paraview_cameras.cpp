@@ -1,9 +1,9 @@
-#include "pictures/paraview_cameras.h"
+#include "pictures/cameras/paraview_cameras.h"
 
-#include "pictures/xml_elements.h"
+#include "base/number_text.h"
+#include "pictures/cameras/xml_elements.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -15,9 +15,7 @@ namespace {
 
 double xmlNumber(const std::string& text) {
   double value = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !std::isfinite(value))
-    refuseFile("'" + text + "' is no number");
+  if (!readNumber(text, value) || !std::isfinite(value)) refuseFile("'" + text + "' is no number");
   return value;
 }
 

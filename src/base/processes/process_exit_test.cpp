@@ -1,6 +1,6 @@
 // exit() destroys static objects after isExiting() has become true, if they were constructed before
 // watchForExit().
-#include "base/process_exit.h"
+#include "base/processes/process_exit.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "base/own_thread.h"
+#include "base/processes/own_thread.h"
 
 #include <cstddef>
 #include <initializer_list>

@@ -1,7 +1,7 @@
 // Files with cameras: JSON of GLuRay's own (docs/guide/pictures.md), and ParaView's .pvcc and .pvsm. Any
 // thread.
 #pragma once
-#include "pictures/camera_path.h"
+#include "pictures/cameras/camera_path.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // Cameras of films, and the files that they come from.
 #include "base/testing/temporary_folder.h"
-#include "pictures/camera_files.h"
-#include "pictures/xml_elements.h"
+#include "pictures/cameras/camera_files.h"
+#include "pictures/cameras/xml_elements.h"
 
 #include <gtest/gtest.h>
 

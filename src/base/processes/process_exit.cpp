@@ -1,4 +1,4 @@
-#include "base/process_exit.h"
+#include "base/processes/process_exit.h"
 
 #include <atomic>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // Cameras in files of ParaView. Any thread.
 #pragma once
-#include "pictures/camera_path.h"
+#include "pictures/cameras/camera_path.h"
 
 #include <string_view>
 

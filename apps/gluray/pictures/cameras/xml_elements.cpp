@@ -1,4 +1,4 @@
-#include "pictures/xml_elements.h"
+#include "pictures/cameras/xml_elements.h"
 
 #include <algorithm>
 #include <array>

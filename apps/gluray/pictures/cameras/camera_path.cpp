@@ -1,4 +1,4 @@
-#include "pictures/camera_path.h"
+#include "pictures/cameras/camera_path.h"
 
 #include <algorithm>
 #include <cmath>
