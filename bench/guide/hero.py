@@ -63,7 +63,7 @@ def main():
             for (_, command, samples, _), file in zip(shown, files):
                 draw(screen, file, command, "--samples", samples)
             labels = [text.format(len(os.sched_getaffinity(0)), figure(statistics.median(rates[name]))) for name, _, _, text in shown]
-            result["rows"] = [{"scene": SCENE, "what": name, "frames_per_second": rates[name]} for name in rates]
+            result["rows"] = [{"scene": SCENE, "path": name, "fps": statistics.median(of), "fps_of_rounds": of} for name, of in rates.items()]
             machine.write(ROOT, "hero", result)
             print(*labels, sep="\n")
             subprocess.run([PYTHON, str(HERE / "beside.py"), str(OUT), *map(str, files), "--labels", *labels], check=True)
