@@ -4,6 +4,7 @@
 #include "render/frame_data/frame_data.h"
 #include "render/moving/moving_tile_source.h"
 #include "render/remote/remote_surfaces.h"
+#include "render/tiles/hidden_pixels.h"
 #include "render/tiles/tiles.h"
 
 #include <stdexcept>
@@ -31,6 +32,9 @@ class Recorder final : public render::RemoteSurfaces, public render::MovingTileS
   }
   bool recall(uint32_t&) noexcept override { return false; }
   bool isReplaying() const noexcept override { return false; }
+  bool hasDepths() const noexcept override { return false; }
+  bool exchangeDepths(const render::Tile&, const Image&) noexcept override { return false; }
+  const render::HiddenPixels& hidden(const render::Tile&, const Image&) noexcept override { return none_; }
   void hold(const std::function<void()>& whole) noexcept override { whole(); }
 
   void begin(const Image& image) noexcept override {
@@ -53,6 +57,7 @@ class Recorder final : public render::RemoteSurfaces, public render::MovingTileS
   AllQueries all;
 
  private:
+  const render::HiddenPixels none_;
   cluster::QueryWriter writer_;
   accel::Bounds bounds_;
   float length_ = 0;

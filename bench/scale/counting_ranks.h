@@ -12,7 +12,7 @@ namespace gluray::bench {
 
 /// What the ranks have sent each other.
 struct Traffic {
-  double queryBytes = 0, answerBytes = 0, rays = 0, messages = 0;
+  double queryBytes = 0, answerBytes = 0, depthBytes = 0, rays = 0, messages = 0;
 };
 
 /// The worker's thread uses it as cluster::Ranks; take() any thread.
@@ -42,6 +42,7 @@ class CountingRanks final : public cluster::Ranks {
   void count(const std::vector<std::byte>& message) {
     cluster::ByteReader in(message);
     const auto type = in.get<uint16_t>();
+    if (type == cluster::TileDepths::kType) return countDepths(message.size());
     if (type != cluster::OcclusionQueries::kType && type != cluster::OcclusionReplies::kType) return;
     const auto bytes = static_cast<double>(message.size());
     const std::lock_guard lock(mutex_);
@@ -55,6 +56,11 @@ class CountingRanks final : public cluster::Ranks {
     cluster::QueryReader reader(queries.rays);
     for (cluster::QueryPacket packet; reader.nextPacket(packet);)
       traffic_.rays += std::popcount(packet.lanes);
+  }
+
+  void countDepths(size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    traffic_.depthBytes += static_cast<double>(bytes);
   }
 
   cluster::Alone alone_;

@@ -32,6 +32,7 @@ constexpr int kAnimated = 8;          // frames of an animation before those tha
 struct Options {
   double millions = 1;
   int ranks = 4, frames = 5, samples = 4, threads = 2;
+  bool depthFirst = true;
 };
 
 /// The worker, on a thread of its own.
@@ -140,7 +141,7 @@ void printAllQueries(frame::Renderer& renderer, scene::Snapshot whole) {
 }
 
 struct Figures {
-  std::vector<double> local, light, oneLocal, oneLight, lightCpu, oneLightCpu, queryBytes, answerBytes, rays,
+  std::vector<double> local, light, oneLocal, oneLight, lightCpu, oneLightCpu, queryBytes, answerBytes, depthBytes, rays,
       allRays, messages, wrong, gathered, gatheredCpu, gatheredWrong;
 };
 
@@ -162,6 +163,7 @@ void keep(Light light, const Options& options, const Spent& together, const Spen
   for (const Rank& rank : ranks)
     for (const float depth : rank.image.depth) hits += depth != Image::kMiss;
   f.queryBytes.push_back(traffic.queryBytes / 1e6), f.answerBytes.push_back(traffic.answerBytes / 1e6);
+  f.depthBytes.push_back(traffic.depthBytes / 1e6);
   f.rays.push_back(traffic.rays / 1e6), f.allRays.push_back(hits * options.samples / 1e6);
   f.messages.push_back(traffic.messages), f.wrong.push_back(differing(ranks, image));
 }
@@ -176,6 +178,7 @@ void round(const Options& options, int number, Job& job, std::list<Rank>& ranks,
       bench::show(rank.snapshot, frame, samples, options.threads);
       rank.snapshot.number = static_cast<uint64_t>(frame);
       rank.snapshot.settings.gather = light == Light::gathered;
+      rank.snapshot.settings.depthFirst = options.depthFirst;
     }
     bench::show(whole, frame, samples, options.threads);
     job.take();
@@ -197,7 +200,7 @@ void print(const Figures& f) {
   print("one_process_local_ms", f.oneLocal), print("one_process_occlusion_ms", f.oneLight);
   print("occlusion_cpu_ms", f.lightCpu), print("one_process_occlusion_cpu_ms", f.oneLightCpu);
   print("occlusion_megarays", f.allRays), print("queries_megarays", f.rays);
-  print("queries_mb", f.queryBytes), print("answers_mb", f.answerBytes), print("messages", f.messages);
+  print("queries_mb", f.queryBytes), print("answers_mb", f.answerBytes), print("depths_mb", f.depthBytes), print("messages", f.messages);
   print("differing_pixels", f.wrong);
   print("gathered_occlusion_ms", f.gathered), print("gathered_occlusion_cpu_ms", f.gatheredCpu);
   print("gathered_differing_pixels", f.gatheredWrong);
@@ -228,7 +231,7 @@ void animate(const Options& options, std::list<Rank>& ranks, frame::Renderer& re
     bench::show(s, frame, options.samples, options.threads);
     s.lightSampling.mode = scene::LightSampling::Mode::moving;
     s.settings.fps = 1000;  // never reached: from the second frame on a quarter of the pixels traces a ray
-    s.settings.gather = false;
+    s.settings.gather = false, s.settings.depthFirst = options.depthFirst;
   };
   const int first = 3 * options.frames + 10;
   for (int frame = first; frame < first + kAnimated + options.frames; ++frame) {
@@ -284,6 +287,7 @@ int main(int argc, char** argv) {
   app.add_option("--frames", options.frames)->check(CLI::Range(1, 1000));
   app.add_option("--samples", options.samples, "rays a pixel")->check(CLI::Range(1, 1024));
   app.add_option("--threads", options.threads, "of each rank")->check(CLI::Range(1, 1024));
+  app.add_flag("!--light-all", options.depthFirst, "ranks light what others hide");
   CLI11_PARSE(app, argc, argv);
   try {
     run(options);

@@ -7,6 +7,8 @@
 #include "render/integrators/direct_look.h"
 #include "render/integrators/integrator.h"
 #include "render/kernels/kernels.h"
+#include "render/moving/hit_buffer.h"
+#include "render/remote/drawn_part.h"
 #include "render/remote/remote_surfaces.h"
 #include "render/tiles/tile.h"
 #include "render/tiles/tile_source.h"
@@ -123,6 +125,25 @@ void eachTileOf(TileSource& source, const Image& image, accel::PageCache& pages,
       });
 }
 
+/// Finds the other processes. `seen`: where hits may wait for their depths.
+void beginRemote(FrameData& frame, HitBuffer& seen) {
+  const char* const reason = reasonAgainstDepthsFirst(frame);
+  if (!reason) frame.seen = &seen;
+  if (reason && frame.snapshot->settings.depthFirst)
+    log::once(log::Level::info, reason, std::string("this process lights also what others hide: ") + reason);
+  frame.remote->begin(frame);
+}
+
+/// Lights what no other process hides, if its depths are there.
+void traceDepthsFirst(const FrameData& frame, const Tile& tile) {
+  RemoteSurfaces& remote = *frame.remote;
+  if (!remote.hasDepths()) {
+    traceEyeRays(frame, tile);
+    if (remote.exchangeDepths(tile, *frame.image)) return;
+  }
+  lightSeen(frame, tile, remote.hidden(tile, *frame.image));
+}
+
 /// All tiles are traced; what this process has of the view goes on lighting the parts of others.
 void holdRemote(const FrameData& frame, const TraceOptions& options, double start) {
   const auto whole = [&] {
@@ -140,7 +161,8 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
   if (wantsFeatures(snapshot)) frame.dropTones();
   frame.remote = options.remote;
   frame.media = options.media;
-  if (frame.remote) frame.remote->begin(frame);
+  HitBuffer seen;
+  if (frame.remote) beginRemote(frame, seen);
   const double start = nowSeconds();
   const bool smooths = !options.source || options.movingSource;
   if (smooths && isMoving(frame) && traceMoving(frame, options.histories, options.rays, options.movingSource))
@@ -150,7 +172,9 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
   const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
   frame.direct = direct.get();
   if (options.source) {
+    if (frame.seen) seen.resize(image.width, image.height, frame.edgesGrow);
     eachTileOf(*options.source, image, world.pages(), [&](const Tile& tile) {
+      if (frame.seen) return traceDepthsFirst(frame, tile), false;
       traceTile(frame, tile);
       return !snapshot.layers && frame.seenThrough.load(std::memory_order_relaxed);
     });

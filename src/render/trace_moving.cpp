@@ -9,6 +9,7 @@
 #include "render/kernels/kernels.h"
 #include "render/moving/collector.h"
 #include "render/moving/filter.h"
+#include "render/remote/remote_surfaces.h"
 #include "render/tiles/tile.h"
 #include "render/tiles_around.h"
 
@@ -34,6 +35,18 @@ struct Pass {
     moving.visibility->clear(tile.x0, tile.y0, tile.x1, tile.y1);
     WaitingPoints points{};
     traceTile(frame, tile, &points);
+    collector.finish(points);
+  }
+  /// The same, without the hits that other processes hide; later, if their depths are to come.
+  void collectDepthsFirst(const Tile& tile) const {
+    RemoteSurfaces& remote = *frame.remote;
+    if (!remote.hasDepths()) {
+      moving.visibility->clear(tile.x0, tile.y0, tile.x1, tile.y1);
+      traceEyeRays(frame, tile);
+      if (remote.exchangeDepths(tile, *frame.image)) return;
+    }
+    WaitingPoints points{};
+    lightSeen(frame, tile, remote.hidden(tile, *frame.image), &points);
     collector.finish(points);
   }
   /// Colours the hits of a tile whose neighbours are in the buffer.
@@ -63,7 +76,10 @@ bool traceShared(const Pass& pass, MovingTileSource& source) {
       "tiles", [&] { return source.nextTile(); },
       [&](int tile) {
         const double start = nowSeconds();
-        pass.collect(tiles.at(tile));
+        if (pass.frame.seen)
+          pass.collectDepthsFirst(tiles.at(tile));
+        else
+          pass.collect(tiles.at(tile));
         source.collected(buffer, tile, nowSeconds() - start);
       });
   if (!source.complete(buffer)) return false;
@@ -106,6 +122,8 @@ bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays,
   const Collector collector(frame, moving, *visibility, metric);
   frame.moving = &moving, frame.direct = direct.get();
   frame.integrator = visibility, frame.collector = &collector, frame.hits = moving.hits;
+  HitBuffer* const seen = frame.seen;
+  if (seen) frame.seen = moving.hits;
   if (!source) frame.caughtOcclusion = caughtOcclusionOf(frame, *visibility);
   bool whole = true;
   if (source)
@@ -114,6 +132,7 @@ bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays,
     traceAll({frame, moving, collector});
   frame.moving = nullptr, frame.integrator = nullptr, frame.direct = nullptr;
   frame.collector = nullptr, frame.hits = nullptr, frame.caughtOcclusion.reset();
+  frame.seen = seen;
   if (whole)
     history.finish();
   else

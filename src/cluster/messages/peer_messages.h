@@ -1,6 +1,7 @@
 // Occlusion queries between the ranks of a sort-last program (peers), sent between their workers. Any thread.
 #pragma once
 #include "cluster/messages/codec.h"
+#include "render/remote/drawn_part.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>
@@ -39,6 +40,15 @@ struct SceneHeld {
   glm::vec3 lower{1}, upper{0};  // of what light meets, in the space of viewFromWorld; lower > upper: nothing
   uint64_t changes = 0;          // as cluster/peers/part_changes.h counts them
   glm::dmat4 eyeFromLargest{1};  // of the surface with most triangles
+  render::DrawnPart drawn;       // empty: the sender neither gives nor awaits depths
+};
+/// Depths of a tile, which the receiver's surfaces may lie behind.
+struct TileDepths {
+  static constexpr uint16_t kType = 28;
+  PeerAddress address;
+  uint64_t round = 0;             // of the sender
+  int32_t tile = 0;               // number of the image's tile, row by row
+  std::vector<std::byte> packed;  // cluster/peers/tile_depths.h
 };
 /// Rays, in the receiver's world (cluster/peers/query_stream.h).
 struct OcclusionQueries {
@@ -54,6 +64,12 @@ struct OcclusionReplies {
   uint64_t id = 0;
   bool refused = false;  // the scene is gone
   std::vector<std::byte> answers;
+};
+/// The sender traces its image without surfaces of the receiver, which has come late: it sends no depths.
+struct NoDepths {
+  static constexpr uint16_t kType = 29;
+  PeerAddress address;
+  uint64_t round = 0;  // of the sender
 };
 /// The sender has its image, and sends no more queries in this round.
 struct DoneAsking {
@@ -84,11 +100,23 @@ void fields(auto& archive, Like<PeerLeaves> auto& value) {
   auto& [address] = value;
   archive(address);
 }
+void fields(auto& archive, Like<render::DrawnPart> auto& value) {
+  auto& [region, tiles, nearest, farthest] = value;
+  archive(region, tiles, nearest, farthest);
+}
 void fields(auto& archive, Like<SceneHeld> auto& value) {
   auto& [address, round, frame, swaps, viewport, clipFromEye, eyeFromWorld, viewFromWorld, lower, upper,
-         changes, eyeFromLargest] = value;
+         changes, eyeFromLargest, drawn] = value;
   archive(address, round, frame, swaps, viewport, clipFromEye, eyeFromWorld, viewFromWorld, lower, upper,
-          changes, eyeFromLargest);
+          changes, eyeFromLargest, drawn);
+}
+void fields(auto& archive, Like<TileDepths> auto& value) {
+  auto& [address, round, tile, packed] = value;
+  archive(address, round, tile, packed);
+}
+void fields(auto& archive, Like<NoDepths> auto& value) {
+  auto& [address, round] = value;
+  archive(address, round);
 }
 void fields(auto& archive, Like<OcclusionQueries> auto& value) {
   auto& [address, round, id, rays] = value;

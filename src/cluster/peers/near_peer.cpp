@@ -31,7 +31,7 @@ accel::Bounds widened(const accel::Bounds& box) {
 }  // namespace
 
 NearPeer::NearPeer(const SceneHeld& own, const SceneHeld& peer, const glm::dmat4& eyeFromPeer)
-    : rank_(peer.address.from), round_(peer.round), bounds_{peer.lower, peer.upper} {
+    : rank_(peer.address.from), round_(peer.round), drawn_(peer.drawn), bounds_{peer.lower, peer.upper} {
   sameEye_ = eyeFromPeer == glm::dmat4(1);
   sameWorld_ = sameEye_ && own.eyeFromWorld == peer.eyeFromWorld;
   if (!sameEye_) peerFromEye_ = glm::inverse(eyeFromPeer);

@@ -16,6 +16,7 @@ class NearPeer {
 
   int rank() const { return rank_; }
   uint64_t round() const { return round_; }
+  const render::DrawnPart& drawn() const { return drawn_; }
   /// Bounds of its surfaces, in the space of the rank's own viewFromWorld; equal to the peer's bounds to the
   /// bit if both spaces are equal.
   const accel::Bounds& bounds() const { return bounds_; }
@@ -27,6 +28,7 @@ class NearPeer {
  private:
   int rank_;
   uint64_t round_;
+  render::DrawnPart drawn_;
   accel::Bounds bounds_, inWorld_;  // in this rank's world, with a margin for rounding
   bool sameWorld_ = false, sameEye_ = false;
   glm::dmat4 peerFromWorld_{1}, peerFromEye_{1};

@@ -21,13 +21,15 @@ PeerExchange::PeerExchange(Hash128 program, int self, int ranks, Send send, Say 
       say_(std::move(say)),
       meetings_(self, ranks),
       asking_(static_cast<size_t>(ranks)),
-      heard_(static_cast<size_t>(ranks)) {
+      heard_(static_cast<size_t>(ranks)),
+      depths_(ranks) {
   scene_.address = {program, self, self};
 }
 
 void PeerExchange::joins(int rank) {
   const std::lock_guard lock(mutex_);
   meetings_.joins(rank);
+  depths_.forget(rank);
   if (held_) sendTo(rank, scene_);  // what was sent before did not reach it
   changed_.notify_all();
 }
@@ -36,6 +38,7 @@ void PeerExchange::leaves(int rank) {
   const std::lock_guard lock(mutex_);
   if (nearOf(rank) < near_.size() && !ledger_.isDone()) drop(rank, "is gone");
   meetings_.leaves(rank);
+  depths_.forget(rank);
   asking_[static_cast<size_t>(rank)] = false;
   changed_.notify_all();
 }
@@ -49,7 +52,9 @@ void PeerExchange::receive(const SceneComes& coming, double now) {
 void PeerExchange::receive(const SceneHeld& scene, double now) {
   const std::lock_guard lock(mutex_);
   meetings_.holds(scene);
+  depths_.holds(scene.address.from, scene.round);
   asking_[static_cast<size_t>(scene.address.from)] = true;
+  if (met_ && nearOf(scene.address.from) == near_.size()) sendTo(scene.address.from, NoDepths{{}, scene_.round});
   heard_[static_cast<size_t>(scene.address.from)] = now;
   changed_.notify_all();
 }
@@ -88,6 +93,7 @@ void PeerExchange::receive(const DoneAsking& done, double now) {
   heard_[static_cast<size_t>(done.address.from)] = now;
   asking_[static_cast<size_t>(done.address.from)] = false;
   meetings_.ends(done.address.from);
+  endDepths(done.address.from);
   changed_.notify_all();
 }
 
@@ -165,7 +171,7 @@ void PeerExchange::finish() noexcept {
     if (held_) sendToAll(DoneAsking{});
     held_ = false;
     again_ = false;
-    near_.clear();
+    near_.clear(), met_ = false;
     answers_.reset();
     if (announced_ == started_) coming_.reset(), refuseAll();
     meetings_.end();

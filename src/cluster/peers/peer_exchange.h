@@ -1,12 +1,14 @@
 // Exchanges occlusion queries with peers for the images of one rank of a sort-last program. Tiles with
 // queries are traced twice: first to collect all queries, then with the answers. Messages arrive on the
-// worker's main thread; one thread traces, with the threads of its renderer.
+// worker's main thread; one thread traces, with the threads of its renderer. Before light, ranks tell each
+// other their depths, so that each pixel is lit by the rank whose surface is in front (adr/0125).
 #pragma once
 #include "cluster/messages/peer_messages.h"
 #include "cluster/messages/program_messages.h"
 #include "cluster/peers/meetings.h"
 #include "cluster/peers/near_peer.h"
 #include "cluster/peers/part_changes.h"
+#include "cluster/peers/peer_depths.h"
 #include "cluster/peers/tile_ledger.h"
 #include "render/effects/occlusion_answers.h"
 #include "render/moving/moving_tile_source.h"
@@ -38,6 +40,8 @@ class PeerExchange final : public render::MovingTileSource, public render::Remot
   void leaves(int rank);
   void receive(const SceneComes& coming, double now);
   void receive(const SceneHeld& scene, double now);
+  void receive(TileDepths depths, double now);
+  void receive(const NoDepths& none, double now);
   void receive(OcclusionQueries queries, double now);
   void receive(const OcclusionReplies& replies, double now);
   void receive(const DoneAsking& done, double now);
@@ -77,6 +81,9 @@ class PeerExchange final : public render::MovingTileSource, public render::Remot
                     render::Passing passing) noexcept override;
   bool recall(uint32_t& blocked) noexcept override;
   bool isReplaying() const noexcept override;
+  bool hasDepths() const noexcept override;
+  bool exchangeDepths(const render::Tile& tile, const Image& image) noexcept override;
+  const render::HiddenPixels& hidden(const render::Tile& tile, const Image& image) noexcept override;
   void hold(const std::function<void()>& whole) noexcept override;
 
  private:
@@ -98,6 +105,16 @@ class PeerExchange final : public render::MovingTileSource, public render::Remot
   void refuseAll();
   bool isSilent(int rank, double now) const;
   size_t nearOf(int rank) const;  // near_.size(): none
+  /// Of the tile that this thread traces; null: none, or light that was collected before is shown.
+  static TileRecord*& record();
+  int tileOf(const render::Tile& tile) const {
+    return tile.y0 / render::kTileSize * columns_ + tile.x0 / render::kTileSize;
+  }
+  void orderTiles(const render::Tiles& all);
+  bool sharesTile(size_t near, int column, int row) const;
+  void sendDepths(int number, const render::Tile& tile, const Image& image);
+  /// The peer sends no more depths in this round.
+  void endDepths(int rank);
   void sendQueries(int tile, TileRecord& record, double now);
   /// Answers one peer's queries, without the lock. Returns false if there are none.
   bool answersOne(Lock& lock) noexcept;
@@ -134,11 +151,16 @@ class PeerExchange final : public render::MovingTileSource, public render::Remot
   std::optional<render::OcclusionAnswers> answers_;
   std::vector<NearPeer> near_;
   accel::Bounds bounds_;
-  std::vector<size_t> waiting_;  // beside near_: tiles that wait for answers
+  std::vector<size_t> waiting_;  // beside near_: answers and depths that tiles wait for
   uint64_t attempt_ = 0;
   int refusals_ = 0;
   PartChanges parts_;
   bool changes_ = false;
+  PeerDepths depths_;
+  render::DrawnPart own_;  // of the scene; empty: depths are not exchanged
+  float depthStep_ = 0;
+  bool met_ = false;  // near_ is known
+  int columns_ = 0;  // of tiles
   TileLedger ledger_;
   std::vector<int> tiles_;  // of the image
   size_t colored_ = 0;      // of them, or being coloured: of moving frames, once all are collected

@@ -14,9 +14,12 @@ namespace {
 
 constexpr auto kLook = std::chrono::milliseconds(20);
 
-thread_local TileRecord* record = nullptr;  // of the tile that this thread traces
-
 }  // namespace
+
+TileRecord*& PeerExchange::record() {
+  thread_local TileRecord* record = nullptr;
+  return record;
+}
 
 void PeerExchange::beginEmpty(const scene::Snapshot& snapshot) {
   meet(snapshot, {glm::vec3(1), glm::vec3(0)}, nullptr);
@@ -37,13 +40,16 @@ void PeerExchange::meet(const scene::Snapshot& snapshot, const accel::Bounds& bo
   scene.clipFromEye = snapshot.camera.clipFromEye, scene.eyeFromWorld = snapshot.eyeFromWorld;
   if (snapshot.secondaryScene) scene.viewFromWorld = snapshot.secondaryScene->viewFromWorld;
   scene.lower = bounds.lower, scene.upper = bounds.upper;
+  own_ = frame && frame->seen ? render::drawnPart(*frame) : render::DrawnPart{};
+  depthStep_ = frame ? render::depthStep(*frame) : 0;
+  scene.drawn = own_;
   const PartState own = parts_.show(snapshot, frame);
   scene.changes = own.changes, scene.eyeFromLargest = own.eyeFromLargest;
 
   Lock lock(mutex_);
   snapshot_ = &snapshot;
   answers_.reset();
-  again_ = false;
+  again_ = false, met_ = false;
   setScene(scene);
   while (!isCancelled() && !closed_ && meetings_.awaits(nowSeconds())) changed_.wait_for(lock, kLook);
   for (const int rank : meetings_.newlyLate())
@@ -57,6 +63,7 @@ void PeerExchange::setScene(SceneHeld scene) {
   if (encoded(scene) != encoded(scene_)) refuseAll();
   scene.round = scene_.round;
   scene_ = scene;
+  depths_.begin(scene_.round);
   held_ = true;
   if (announced_ == started_) coming_.reset();
   meetings_.begin(scene_, nowSeconds());
@@ -76,6 +83,7 @@ void PeerExchange::addNear() {
     bounds_.upper = glm::max(bounds_.upper, peer.bounds().upper);
   }
   waiting_.assign(near_.size(), 0);
+  met_ = true;
   std::vector<PartState> parts = {{self_, scene_.changes, scene_.eyeFromLargest}};
   for (const NearPeer& peer : near_) {
     const SceneHeld& scene = meetings_.sceneOf(peer.rank());
@@ -93,7 +101,7 @@ void PeerExchange::begin(const Image& image) noexcept {
       tiles_.push_back(tile);
   const std::lock_guard lock(mutex_);
   ++attempt_;
-  ledger_.reset(tiles_, near_.size());
+  orderTiles(all);
   colored_ = 0;
 }
 
@@ -114,7 +122,7 @@ int PeerExchange::nextTile() noexcept {
     if (answersOne(lock)) continue;
     const TileLedger::Work work = ledger_.takeWork();
     if (work.record) {
-      record = work.record;
+      record() = work.record;
       return work.tile;
     }
     if (ledger_.isDone()) return -1;
@@ -123,8 +131,8 @@ int PeerExchange::nextTile() noexcept {
 }
 
 void PeerExchange::done(int tile, double, bool seenThrough) noexcept {
-  if (!record) return;  // coloured: its light was collected before
-  TileRecord& traced = *std::exchange(record, nullptr);
+  if (!record()) return;  // coloured: its light was collected before
+  TileRecord& traced = *std::exchange(record(), nullptr);
   const std::lock_guard lock(mutex_);
   if (seenThrough && averages_) averages_ = false, again_ = true;
   if (!traced.replays() && traced.asks() && !ends())
@@ -165,21 +173,22 @@ void PeerExchange::sendQueries(int tile, TileRecord& traced, double now) {
 
 uint32_t PeerExchange::occluded(const render::RemoteQuery& query, uint32_t blocked,
                                 render::Passing passing) noexcept {
-  if (!record) return blocked;
-  if (record->replays()) return record->combine(blocked, passing);
-  const size_t number = record->add(blocked);
+  TileRecord* const asking = record();
+  if (!asking) return blocked;
+  if (asking->replays()) return asking->combine(blocked, passing);
+  const size_t number = asking->add(blocked);
   uint32_t open = 0;
   for (int i = 0; i < accel::kLanes; ++i) open |= static_cast<uint32_t>(query.valid[i] != 0) << i;
   open &= ~blocked;
   for (size_t i = 0; open && i < near_.size(); ++i)
     if (const uint32_t lanes = near_[i].mayMeet(query.rays, open))
-      record->ask(number, static_cast<int>(i), near_[i].packetOf(query, lanes));
+      asking->ask(number, static_cast<int>(i), near_[i].packetOf(query, lanes));
   return blocked;
 }
 
-bool PeerExchange::recall(uint32_t& blocked) noexcept { return record && record->recall(blocked); }
+bool PeerExchange::recall(uint32_t& blocked) noexcept { return record() && record()->recall(blocked); }
 
-bool PeerExchange::isReplaying() const noexcept { return record && record->replays(); }
+bool PeerExchange::isReplaying() const noexcept { return record() && record()->replays(); }
 
 void PeerExchange::answer(const OcclusionQueries& queries) const noexcept {
   OcclusionReplies replies{{}, queries.id, false, {}};

@@ -2,26 +2,38 @@
 
 namespace gluray::cluster {
 
-void TileLedger::reset(std::vector<int> tiles, size_t peers) {
-  fresh_.assign(tiles.begin(), tiles.end());
-  ready_.clear();
+void TileLedger::reset(std::vector<int> shared, std::vector<int> alone, size_t peers) {
+  shared_.assign(shared.begin(), shared.end());
+  alone_.assign(alone.begin(), alone.end());
+  seen_.clear(), ready_.clear();
   at_.clear();
-  left_ = tiles.size();
+  left_ = shared.size() + alone.size();
   peers_ = peers;
 }
 
 TileLedger::Work TileLedger::takeWork() {
-  if (!ready_.empty()) {
-    const int tile = ready_.front();
-    ready_.pop_front();
-    return {tile, at_.at(tile).record.get()};
+  for (std::deque<int>* const queue : {&ready_, &shared_, &seen_, &alone_}) {
+    if (queue->empty()) continue;
+    const int tile = queue->front();
+    queue->pop_front();
+    Open& open = at_[tile];
+    if (!open.record) open.record = std::make_unique<TileRecord>(peers_);
+    return {tile, open.record.get()};
   }
-  if (fresh_.empty()) return {};
-  const int tile = fresh_.front();
-  fresh_.pop_front();
-  Open& open = at_[tile];
-  open.record = std::make_unique<TileRecord>(peers_);
-  return {tile, open.record.get()};
+  return {};
+}
+
+bool TileLedger::depthsCame(int tile, size_t peer) {
+  const auto found = at_.find(tile);
+  if (found == at_.end() || std::erase(found->second.awaited, peer) == 0) return false;
+  if (found->second.awaited.empty()) seen_.push_back(tile);
+  return true;
+}
+
+size_t TileLedger::depthsEnd(size_t peer) {
+  size_t waited = 0;
+  for (auto& [tile, open] : at_) waited += depthsCame(tile, peer);
+  return waited;
 }
 
 void TileLedger::finish(int tile) {

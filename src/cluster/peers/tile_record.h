@@ -3,9 +3,11 @@
 #pragma once
 #include "cluster/peers/query_stream.h"
 #include "render/remote/remote_surfaces.h"
+#include "render/tiles/hidden_pixels.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,6 +16,10 @@ namespace gluray::cluster {
 
 class TileRecord {
  public:
+  /// Whether the tile's eye rays have been traced.
+  bool isSeen() const { return isSeen_; }
+  void see() { isSeen_ = true; }
+
   /// Adds a query with the lanes `blocked` in this process. Returns its number.
   size_t add(uint32_t blocked);
   /// Adds query `number` for `peer` (an index below `peers`), in the peer's space.
@@ -39,6 +45,7 @@ class TileRecord {
   uint32_t combine(uint32_t blocked, render::Passing passing);
 
   explicit TileRecord(size_t peers) : asked_(peers) {}
+  std::optional<render::HiddenPixels> hidden;  // none: not known yet
 
  private:
   struct Call {
@@ -57,7 +64,7 @@ class TileRecord {
   std::vector<Call> calls_;
   std::vector<Part> parts_;
   std::vector<Asked> asked_;
-  bool replays_ = false;
+  bool replays_ = false, isSeen_ = false;
   size_t next_ = 0;
 };
 

@@ -113,6 +113,8 @@ bool PeerPrograms::receive(int from, uint16_t type, std::span<const std::byte> b
     case SceneHeld::kType: return to(&Local::exchange, SceneHeld{});
     case OcclusionQueries::kType: return to(&Local::exchange, OcclusionQueries{});
     case OcclusionReplies::kType: return to(&Local::exchange, OcclusionReplies{});
+    case TileDepths::kType: return to(&Local::exchange, TileDepths{});
+    case NoDepths::kType: return to(&Local::exchange, NoDepths{});
     case DoneAsking::kType: return to(&Local::exchange, DoneAsking{});
     case StillHere::kType: return to(&Local::exchange, StillHere{});
     case PartHere::kType: return to(&Local::gatherer, PartHere{});

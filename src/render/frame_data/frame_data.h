@@ -84,6 +84,9 @@ struct FrameData {
   // Null: traceTile() writes final colours. Otherwise traceTile() stores the hits here, the collector stores
   // their visibility, and relightTile() colours them.
   HitBuffer* hits = nullptr;
+  // Null: hits are lit when they are found. Otherwise traceEyeRays() stores the hits here, and lightSeen()
+  // lights those that no other process hides (remote).
+  HitBuffer* seen = nullptr;
   const Integrator* collector = nullptr;
   // Of moving frames whose surfaces all catch light and lose nothing but occlusion: the opacity of a hit is
   // this times 1 - Visibility::occlusion, so that hits are not stored but their depths. None: shades hits.

@@ -21,6 +21,8 @@ namespace gluray::render {
 
 HWY_EXPORT(traceTile);
 HWY_EXPORT(relightTile);
+HWY_EXPORT(traceEyeRays);
+HWY_EXPORT(lightSeen);
 HWY_EXPORT(targetName);
 
 void traceTile(const FrameData& frame, const Tile& tile, WaitingPoints* waiting) {
@@ -28,6 +30,12 @@ void traceTile(const FrameData& frame, const Tile& tile, WaitingPoints* waiting)
 }
 void relightTile(const FrameData& frame, const Tile& tile, const TileVisibility& visibility) {
   HWY_DYNAMIC_DISPATCH(relightTile)(frame, tile, visibility);
+}
+void traceEyeRays(const FrameData& frame, const Tile& tile) {
+  HWY_DYNAMIC_DISPATCH(traceEyeRays)(frame, tile);
+}
+void lightSeen(const FrameData& frame, const Tile& tile, const HiddenPixels& hidden, WaitingPoints* waiting) {
+  HWY_DYNAMIC_DISPATCH(lightSeen)(frame, tile, hidden, waiting);
 }
 const char* kernelTarget() { return HWY_DYNAMIC_DISPATCH(targetName)(); }
 

@@ -6,12 +6,20 @@
 
 namespace gluray::render {
 
+struct HiddenPixels;
 struct TileVisibility;
 struct WaitingPoints;
 
 /// Traces and shades one tile of every sample plane. Threads may run it in parallel on different tiles.
 /// `waiting`: queue of points, if visibility is collected (FrameData::collector).
 void traceTile(const FrameData&, const Tile&, WaitingPoints* waiting = nullptr);
+
+/// Finds the hits and depths of a tile: FrameData::seen, and the image's depths. Colours stay undefined.
+void traceEyeRays(const FrameData&, const Tile&);
+
+/// Lights the hits that traceEyeRays() has found, except those in `hidden`: writes their colours, or, if
+/// visibility is collected, puts their points into `waiting`. May be called again.
+void lightSeen(const FrameData&, const Tile&, const HiddenPixels& hidden, WaitingPoints* waiting = nullptr);
 
 /// Second pass over a tile of a moving frame (FrameData::moving): colours the hits that the first pass
 /// stored.

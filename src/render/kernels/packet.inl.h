@@ -10,6 +10,7 @@
 #include "render/kernels/averages.inl.h"
 #include "render/kernels/feature_averages.inl.h"
 #include "render/kernels/relight.inl.h"
+#include "render/kernels/seen.inl.h"
 #include "render/tiles/tile.h"
 #include "render/visibility/multisample.inl.h"
 
@@ -43,7 +44,8 @@ template <class Sums>
 HWY_ATTR void traceSamples(const FrameData& frame, const Tile& tile, Sums* averages, WaitingPoints* waiting) {
   Work works[3];
   CollectedHits behind;  // scratch, for one packet at a time
-  for (Work& work : works) initPacket(work.packet), work.waiting = waiting;
+  for (Work& work : works)
+    initPacket(work.packet), work.waiting = waiting, work.colors = !frame.hits;
   GrownSamples grown(frame.grown.get(), tile,
                      2);  // a sample's last packets are finished while the next one is traced
   int count = 0;

@@ -8,26 +8,34 @@
 #endif
 
 #include "render/moving/filter.h"
-#include "render/packets/kept_hits.inl.h"
-#include "render/packets/pixels.inl.h"
-#include "render/packets/trace.inl.h"
+#include "render/kernels/kept_packets.inl.h"
 #include "render/tiles/tile.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
+/// Puts the hits of a packet into its pixels: with light, except those that another process hides.
+HWY_ATTR inline void showKept(const FrameData& frame, const HitBuffer::Lanes& kept, Work& work) {
+  const bool wide = frame.image->has(Plane::wideColor);
+  const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth)
+                        HWY_ATTR { mergeShown(lanes, rows, depth, wide, work); };
+  const uint32_t hidden = kept.hidden & work.hits;
+  work.edged = kept.edged;
+  shadeHits(frame, work.hits & ~hidden, false, work, take);
+  if (!hidden) return;
+  work.visibility = nullptr, work.lights = false;
+  shadeHits(frame, hidden, false, work, take);
+  work.lights = true;
+}
+
 /// Last stage: colours the hits and writes the pixels.
 HWY_ATTR inline void relightWork(const FrameData& frame, const Tile& tile, const TileVisibility& visibility,
                                  Work& work) {
   clearPixels(frame.image->missColor, work);
   if (work.hits) {
-    work.edged = frame.moving->hits->lanes[frame.moving->hits->at(work.imageX, work.imageY)].edged;
     work.visibility = &visibility.at(work.imageX - tile.x0, work.imageY - tile.y0);
-    const bool wide = frame.image->has(Plane::wideColor);
-    shadeHits(frame, work.hits, false, work,
-              [&](uint32_t lanes, const LitRows& rows, const float* depth)
-                  HWY_ATTR { mergeShown(lanes, rows, depth, wide, work); });
+    showKept(frame, frame.moving->hits->lanes[frame.moving->hits->at(work.imageX, work.imageY)], work);
   }
   if (frame.lamps) showLamps(frame, work);
   storePixels(work, tile, *frame.image);
@@ -62,39 +70,11 @@ HWY_ATTR inline void showOcclusion(const Tile& tile, const TileVisibility& visib
   }
 }
 
-/// Pipelined as the first pass is, but no rays are traced meanwhile: the stages are several packets apart,
-/// because memory takes longer than colours.
 HWY_ATTR void relightTile(const FrameData& frame, const Tile& tile, const TileVisibility& visibility) {
   if (frame.caughtOcclusion) return showOcclusion(tile, visibility, *frame.caughtOcclusion, *frame.image);
-  constexpr int kApart = 2;  // packets
-  const HitBuffer& buffer = *frame.moving->hits;
-  const int columns = (tile.x1 - tile.x0 + 3) / 4, count = columns * ((tile.y1 - tile.y0 + 3) / 4);
-  const auto xOf = [&](int packet) { return tile.x0 + packet % columns * 4; };
-  const auto yOf = [&](int packet) { return tile.y0 + packet / columns * 4; };
-  struct Corners {
-    alignas(64) uint32_t vertex[3][kLanes];
-  };
-  Corners fetched[kApart];  // of the packets that are coloured next
   Work work;
-  initPacket(work.packet);
-  const auto color = [&](int packet) HWY_ATTR {
-    aim(frame, tile, xOf(packet), yOf(packet), 0, work);
-    recall(buffer, work);
-    std::memcpy(work.vertex, fetched[packet % kApart].vertex, sizeof work.vertex);
-    relightWork(frame, tile, visibility, work);
-  };
-  for (int first = 0; first < count + 2 * kApart; ++first) {
-    if (first >= 2 * kApart) color(first - 2 * kApart);
-    if (const int second = first - kApart; second >= 0 && second < count) {
-      const size_t at = buffer.at(xOf(second), yOf(second));
-      fetchVertices(frame, buffer.lanes[at].shown, buffer.hits[at].instance, buffer.hits[at].primitive,
-                    fetched[second % kApart].vertex);
-    }
-    if (first < count) {
-      const size_t at = buffer.at(xOf(first), yOf(first));
-      prefetchTriangles(frame, buffer.lanes[at].shown, buffer.hits[at].instance, buffer.hits[at].primitive);
-    }
-  }
+  eachKeptPacket(frame, *frame.moving->hits, tile, work,
+                 [&]() HWY_ATTR { relightWork(frame, tile, visibility, work); });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -20,8 +20,9 @@ struct alignas(64) PacketHits {
 struct HitBuffer {
   /// Valid lanes of a packet; other hits are undefined.
   struct Lanes {
-    uint32_t shown = 0;  // bit i: lane i shows a hit
-    uint32_t edged = 0;  // bit i: on a triangle grown by its edges, with its own depth
+    uint16_t shown = 0;   // bit i: lane i shows a hit
+    uint16_t edged = 0;   // bit i: on a triangle grown by its edges, with its own depth
+    uint16_t hidden = 0;  // bit i: surfaces of another process hide the hit (render/remote)
   };
 
   int columns = 0;  // packets in a row

@@ -211,13 +211,13 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     if (surface.mesh->shape == scene::Shape::triangles) moveToSamples(seen, work.edged, group);
     const uint32_t back = (surface.frontIsCcw ? ~seen.ccw : seen.ccw) & group.lanes;
     // Hits that are kept need colours now only if these decide whether they are there.
-    const bool kept = frame.hits && !work.visibility &&
-                      surface.lighting->shading->alphaTest.function == scene::AlphaTest::always;
+    const bool kept =
+        !work.colors && surface.lighting->shading->alphaTest.function == scene::AlphaTest::always;
     const bool replaced = work.visibility && isReplaced(frame, instance, group.lanes, *work.visibility);
     const uint32_t failing = kept || replaced ? 0 : shade(frame, surface, group, back, x, y, rows);
     rejected |= failing;
     group.lanes &= ~failing;
-    if (frame.changesColors())
+    if (work.lights && frame.changesColors())
       lightHits(frame, instance, group, back, work.sample, x, y, rows,
                 {work.visibility, work.waiting, work.cover, seen.depth});
     if (instance == frame.catcher) {

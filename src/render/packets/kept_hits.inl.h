@@ -24,8 +24,9 @@ HWY_ATTR inline void keepHits(HitBuffer& buffer, uint32_t lanes, const Work& wor
     hits.u[i] = work.packet.u[i], hits.v[i] = work.packet.v[i];
     if (!buffer.edgeDepth.empty()) buffer.edgeDepth[at * kLanes + static_cast<size_t>(i)] = work.edgeDepth[i];
   }
-  buffer.lanes[at].shown |= lanes;
-  buffer.lanes[at].edged |= lanes & work.edged;
+  HitBuffer::Lanes& kept = buffer.lanes[at];
+  kept.shown = static_cast<uint16_t>(kept.shown | lanes);
+  kept.edged = static_cast<uint16_t>(kept.edged | (lanes & work.edged));
 }
 
 /// Before the packet's hits are kept.
@@ -33,7 +34,7 @@ HWY_ATTR inline void forgetHits(HitBuffer& buffer, const Work& work) {
   buffer.lanes[buffer.at(work.imageX, work.imageY)] = {};
 }
 
-/// First stage of the second pass: the hits of a packet, as if its rays had just been traced.
+/// First stage of a later pass: the hits of a packet, as if its rays had just been traced.
 HWY_ATTR inline void recall(const HitBuffer& buffer, Work& work) {
   const size_t at = buffer.at(work.imageX, work.imageY);
   const HitBuffer::Lanes lanes = buffer.lanes[at];

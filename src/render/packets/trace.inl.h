@@ -128,13 +128,18 @@ HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFi
   fetchVertices(frame, work);
 }
 
-// Shades the nearest accepted hit of each lane, or keeps it, if visibility is collected first.
+// Shades the nearest accepted hit of each lane, or keeps it, if visibility is collected first, or depths are
+// exchanged (FrameData::seen).
 HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
   const bool wide = !frame.bytes;
   const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
-    if (frame.hits)
-      return frame.caughtOcclusion ? mergeDepths(lanes, depth, work) : keepHits(*frame.hits, lanes, work);
-    mergeShown(lanes, rows, depth, wide, work);
+    if (!work.lights) mergeDepths(lanes, depth, work), keepHits(*frame.seen, lanes, work);
+    else if (!frame.hits)
+      mergeShown(lanes, rows, depth, wide, work);
+    else if (frame.caughtOcclusion)
+      mergeDepths(lanes, depth, work);
+    else
+      keepHits(*frame.hits, lanes, work);
   };
   uint32_t lanes = shadeHits(frame, work.hits, true, work, take);
   if (!lanes) return;

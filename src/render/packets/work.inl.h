@@ -52,6 +52,8 @@ struct Work {
   uint32_t edged = 0;          // bit i: lane i hit a triangle grown by its edges; its depth is edgeDepth
   int imageX = 0, imageY = 0;  // pixel of lane 0
   int sample = 0;
+  bool colors = true;  // hits get colours now; false: only if these decide whether they are there
+  bool lights = true;  // hits are given to the integrator, or to the collector
   const Visibility* visibility = nullptr;  // where it is known
   WaitingPoints* waiting = nullptr;        // where points wait for rays, if visibility is collected
   Cover cover;                             // of layers

@@ -4,6 +4,7 @@
 #include "accel/rays/bounds.h"
 #include "accel/rays/occlusion.h"
 #include "accel/rays/ray_kind.h"
+#include "base/image.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>
@@ -14,6 +15,8 @@
 namespace gluray::render {
 
 struct FrameData;
+struct HiddenPixels;
+struct Tile;
 
 /// Transmittance of a packet's rays so far, by lane: `grey` or `colored`; the other is null.
 struct Passing {
@@ -51,6 +54,14 @@ class RemoteSurfaces {
   virtual bool recall(uint32_t& blocked) noexcept = 0;
   /// Whether this thread traces its tile a second time.
   virtual bool isReplaying() const noexcept = 0;
+  /// Whether the tile of this thread has been given to exchangeDepths() before.
+  virtual bool hasDepths() const noexcept = 0;
+  /// With FrameData::seen: the depths of this thread's tile are in the image. Gives them to the processes
+  /// whose surfaces they may hide. Returns true if depths of others are to come: then the source hands the
+  /// tile out again, once they are there or cannot be awaited any longer.
+  virtual bool exchangeDepths(const Tile&, const Image&) noexcept = 0;
+  /// The pixels of this thread's tile that other processes hide for sure, the same each time.
+  virtual const HiddenPixels& hidden(const Tile&, const Image&) noexcept = 0;
   /// Called when all tiles are traced. Calls `whole` unless the image must be traced again; then answers
   /// other processes until this process has another frame to trace.
   virtual void hold(const std::function<void()>& whole) noexcept = 0;

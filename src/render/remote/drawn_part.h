@@ -1,0 +1,42 @@
+// Where in a view a process draws surfaces, and how far away: other processes there may hide them, or be
+// hidden. Any thread.
+#pragma once
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <optional>
+
+namespace gluray::render {
+
+struct FrameData;
+
+/// Depths are order keys: window depths, or 1 - depth where the largest depth wins, so that the smallest key
+/// is the nearest.
+struct DrawnPart {
+  glm::ivec4 region{0};  // x, y, width, height of the image in window pixels
+  glm::ivec4 tiles{0};   // columns x .. z - 1 and rows y .. w - 1 of the image's tiles; empty: nothing is drawn
+  float nearest = 0, farthest = 0;
+
+  bool empty() const { return tiles.x >= tiles.z || tiles.y >= tiles.w; }
+  bool contains(int column, int row) const {
+    return column >= tiles.x && column < tiles.z && row >= tiles.y && row < tiles.w;
+  }
+  /// Whether surfaces of this part may hide some of `other`: where both have tiles.
+  bool mayHide(const DrawnPart& other) const {
+    return region == other.region && !empty() && !other.empty() && nearest < other.farthest &&
+           std::max(tiles.x, other.tiles.x) < std::min(tiles.z, other.tiles.z) &&
+           std::max(tiles.y, other.tiles.y) < std::min(tiles.w, other.tiles.w);
+  }
+  bool operator==(const DrawnPart&) const = default;
+};
+
+/// The part of the view with the frame's surfaces. Bounds are wider than necessary by rounding.
+DrawnPart drawnPart(const FrameData&);
+
+/// The smallest difference of depths that the framebuffer tells apart for sure.
+float depthStep(const FrameData&);
+
+/// Why the frame's pixels are lit before other processes tell their depths; null: they may wait for these.
+const char* reasonAgainstDepthsFirst(const FrameData&);
+
+}  // namespace gluray::render
