@@ -141,8 +141,9 @@ void printAllQueries(frame::Renderer& renderer, scene::Snapshot whole) {
 }
 
 struct Figures {
-  std::vector<double> local, light, oneLocal, oneLight, lightCpu, oneLightCpu, queryBytes, answerBytes, depthBytes, rays,
-      allRays, messages, wrong, gathered, gatheredCpu, gatheredWrong;
+  std::vector<double> local, light, localCpu, oneLocalCpu, oneLocal, oneLight, lightCpu, oneLightCpu,
+      queryBytes, answerBytes, depthBytes, rays, allRays, messages, wrong, gathered, gatheredCpu,
+      gatheredWrong;
 };
 
 /// How occlusion comes to the ranks of the program.
@@ -157,7 +158,7 @@ void keep(Light light, const Options& options, const Spent& together, const Spen
     return;
   }
   (isLit ? f.light : f.local).push_back(together.ms), (isLit ? f.oneLight : f.oneLocal).push_back(one.ms);
-  if (!isLit) return;
+  if (!isLit) return f.localCpu.push_back(together.cpuMs), f.oneLocalCpu.push_back(one.cpuMs);
   f.lightCpu.push_back(together.cpuMs), f.oneLightCpu.push_back(one.cpuMs);
   double hits = 0;
   for (const Rank& rank : ranks)
@@ -198,9 +199,11 @@ void print(const Figures& f) {
   };
   print("local_ms", f.local), print("occlusion_ms", f.light);
   print("one_process_local_ms", f.oneLocal), print("one_process_occlusion_ms", f.oneLight);
+  print("local_cpu_ms", f.localCpu), print("one_process_local_cpu_ms", f.oneLocalCpu);
   print("occlusion_cpu_ms", f.lightCpu), print("one_process_occlusion_cpu_ms", f.oneLightCpu);
   print("occlusion_megarays", f.allRays), print("queries_megarays", f.rays);
-  print("queries_mb", f.queryBytes), print("answers_mb", f.answerBytes), print("depths_mb", f.depthBytes), print("messages", f.messages);
+  print("queries_mb", f.queryBytes), print("answers_mb", f.answerBytes), print("depths_mb", f.depthBytes),
+      print("messages", f.messages);
   print("differing_pixels", f.wrong);
   print("gathered_occlusion_ms", f.gathered), print("gathered_occlusion_cpu_ms", f.gatheredCpu);
   print("gathered_differing_pixels", f.gatheredWrong);

@@ -128,7 +128,7 @@ void eachTileOf(TileSource& source, const Image& image, accel::PageCache& pages,
 /// Finds the other processes. `seen`: where hits may wait for their depths.
 void beginRemote(FrameData& frame, HitBuffer& seen) {
   const char* const reason = reasonAgainstDepthsFirst(frame);
-  if (!reason) frame.seen = &seen;
+  if (!reason) frame.seen = &seen, frame.drawn = drawnPart(frame);
   if (reason && frame.snapshot->settings.depthFirst)
     log::once(log::Level::info, reason, std::string("this process lights also what others hide: ") + reason);
   frame.remote->begin(frame);
@@ -137,6 +137,7 @@ void beginRemote(FrameData& frame, HitBuffer& seen) {
 /// Lights what no other process hides, if its depths are there.
 void traceDepthsFirst(const FrameData& frame, const Tile& tile) {
   RemoteSurfaces& remote = *frame.remote;
+  if (!frame.drawn.contains(tile)) return clearTile(tile, *frame.image);
   if (!remote.hasDepths()) {
     traceEyeRays(frame, tile);
     if (remote.exchangeDepths(tile, *frame.image)) return;

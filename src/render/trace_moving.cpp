@@ -42,6 +42,7 @@ struct Pass {
     RemoteSurfaces& remote = *frame.remote;
     if (!remote.hasDepths()) {
       moving.visibility->clear(tile.x0, tile.y0, tile.x1, tile.y1);
+      if (!frame.drawn.contains(tile)) return clearTile(tile, *frame.image);
       traceEyeRays(frame, tile);
       if (remote.exchangeDepths(tile, *frame.image)) return;
     }
@@ -51,6 +52,7 @@ struct Pass {
   }
   /// Colours the hits of a tile whose neighbours are in the buffer.
   void color(const Tile& tile) const {
+    if (frame.seen && !frame.drawn.contains(tile)) return;
     const timeline::Span span("relit tiles", 1, true);
     TileVisibility smooth;
     filterTile(moving, tile, smooth);

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,6 +54,8 @@ struct JobOfParts {
 
 class MovingParts : public testing::TestWithParam<JobOfParts> {
  protected:
+  test::RuntimeFolder folder_;
+
   /// `change`: of each frame.
   template <class Change>
   void expectFramesOfOneProcess(const Change& change) {
@@ -63,6 +66,7 @@ class MovingParts : public testing::TestWithParam<JobOfParts> {
     for (int frame = 0; frame < kFrames; ++frame) {
       scene::Snapshot all = movingPlates(frame);
       change(all, frame);
+      all.settings.depthFirst = false;  // otherwise they are not lit where others hide them
       const std::vector<Image> parts = ranks.images(all);
       for (int rank = 0; rank < count; ++rank) {
         const auto at = static_cast<size_t>(rank);
@@ -76,7 +80,6 @@ class MovingParts : public testing::TestWithParam<JobOfParts> {
     EXPECT_TRUE(ranks.allByWorkers());
   }
 
- private:
   static Image imageOf(frame::Renderer& renderer, const scene::Snapshot& s) {
     Image image;
     scene::TraceCost cost;
@@ -84,7 +87,6 @@ class MovingParts : public testing::TestWithParam<JobOfParts> {
     EXPECT_TRUE(renderer.render(s, image, cost, error)) << error;
     return image;
   }
-  test::RuntimeFolder folder_;
 };
 
 TEST_P(MovingParts, AreLitAsThoseOfOneProcess) {
@@ -105,6 +107,62 @@ TEST_P(MovingParts, WithSurfacesThatMoveAndComeAndGo) {
     s.instances[4].eyeFromObject = s.eyeFromWorld * glm::dmat4(s.instances[4].worldFromObject);
     if (frame == 3) s.instances.pop_back();
   });
+}
+
+/// The index of the image in front at a pixel.
+size_t frontOf(const std::vector<Image>& parts, size_t pixel) {
+  size_t front = 0;
+  for (size_t rank = 1; rank < parts.size(); ++rank)
+    if (parts[rank].depth[pixel] < parts[front].depth[pixel]) front = rank;
+  return front;
+}
+
+/// Pixels behind those of other parts keep the look and the depth that they have without light. Returns how
+/// many there are.
+int expectNoLightBehind(const std::vector<Image>& parts, const std::vector<Image>& unlit) {
+  int hidden = 0;
+  for (size_t i = 0; i < parts[0].depth.size(); ++i) {
+    const float front = parts[frontOf(parts, i)].depth[i];
+    for (size_t rank = 0; rank < parts.size(); ++rank) {
+      EXPECT_EQ(parts[rank].depth[i], unlit[rank].depth[i]);
+      if (parts[rank].depth[i] == Image::kMiss || parts[rank].depth[i] < front + 1e-3f) continue;
+      EXPECT_EQ(parts[rank].color[i], unlit[rank].color[i]);
+      ++hidden;
+    }
+  }
+  return hidden;
+}
+
+/// Root mean square of the difference of red, 0 .. 255.
+double errorOf(const Image& image, const Image& truth) {
+  double sum = 0, count = 0;
+  for (size_t i = 0; i < truth.depth.size(); ++i) {
+    if (truth.depth[i] == Image::kMiss) continue;
+    const int off = static_cast<int>(image.color[i] & 255) - static_cast<int>(truth.color[i] & 255);
+    sum += off * off, ++count;
+  }
+  return std::sqrt(sum / count);
+}
+
+/// Smoothing no longer reads what other ranks hide: that changes noise at edges.
+TEST_P(MovingParts, AreNotLitWhereOthersHideThem) {
+  const auto [count, workers] = GetParam();
+  WorkerJob job(folder_.directory(), workers);
+  test::ProgramRanks ranks(folder_.directory(), count);
+  frame::Renderer one;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    scene::Snapshot all = movingPlates(frame);
+    const std::vector<Image> parts = ranks.images(all);
+    const Image single = imageOf(one, all);
+    all.lightSampling.mode = scene::LightSampling::Mode::full;
+    all.settings.ao.samples = 64;
+    const Image truth = test::expectedImage(all);
+    all.settings.ao.enabled = all.settings.shadows.enabled = false;
+    std::vector<Image> unlit;
+    for (int rank = 0; rank < count; ++rank) unlit.push_back(test::expectedImage(partOf(all, rank, count)));
+    EXPECT_GT(expectNoLightBehind(parts, unlit), 100);
+    EXPECT_LT(errorOf(test::composed(parts), truth), 1.1 * errorOf(single, truth)) << frame;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Jobs, MovingParts, testing::Values(JobOfParts{2, 2}, JobOfParts{3, 1}),

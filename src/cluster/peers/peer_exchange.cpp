@@ -54,7 +54,8 @@ void PeerExchange::receive(const SceneHeld& scene, double now) {
   meetings_.holds(scene);
   depths_.holds(scene.address.from, scene.round);
   asking_[static_cast<size_t>(scene.address.from)] = true;
-  if (met_ && nearOf(scene.address.from) == near_.size()) sendTo(scene.address.from, NoDepths{{}, scene_.round});
+  if (met_ && nearOf(scene.address.from) == near_.size())
+    sendTo(scene.address.from, NoDepths{{}, scene_.round});
   heard_[static_cast<size_t>(scene.address.from)] = now;
   changed_.notify_all();
 }

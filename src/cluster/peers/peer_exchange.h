@@ -160,7 +160,7 @@ class PeerExchange final : public render::MovingTileSource, public render::Remot
   render::DrawnPart own_;  // of the scene; empty: depths are not exchanged
   float depthStep_ = 0;
   bool met_ = false;  // near_ is known
-  int columns_ = 0;  // of tiles
+  int columns_ = 0;   // of tiles
   TileLedger ledger_;
   std::vector<int> tiles_;  // of the image
   size_t colored_ = 0;      // of them, or being coloured: of moving frames, once all are collected

@@ -107,8 +107,7 @@ const render::HiddenPixels& PeerExchange::hidden(const render::Tile& tile, const
       return depths_.find(near_[i].rank(), number);
     }();
     try {
-      if (packed)
-        addHidden(*packed, part, image, tile, snapshot_->camera.largestWins, depthStep_, hidden);
+      if (packed) addHidden(*packed, part, image, tile, snapshot_->camera.largestWins, depthStep_, hidden);
     } catch (const std::exception&) {}  // malformed: lights what it may hide
   }
   return hidden;

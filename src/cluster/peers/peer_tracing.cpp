@@ -40,7 +40,7 @@ void PeerExchange::meet(const scene::Snapshot& snapshot, const accel::Bounds& bo
   scene.clipFromEye = snapshot.camera.clipFromEye, scene.eyeFromWorld = snapshot.eyeFromWorld;
   if (snapshot.secondaryScene) scene.viewFromWorld = snapshot.secondaryScene->viewFromWorld;
   scene.lower = bounds.lower, scene.upper = bounds.upper;
-  own_ = frame && frame->seen ? render::drawnPart(*frame) : render::DrawnPart{};
+  own_ = frame && frame->seen ? frame->drawn : render::DrawnPart{};
   depthStep_ = frame ? render::depthStep(*frame) : 0;
   scene.drawn = own_;
   const PartState own = parts_.show(snapshot, frame);

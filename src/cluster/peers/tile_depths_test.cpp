@@ -40,7 +40,8 @@ bool isHidden(const HiddenPixels& hidden, int x, int y) {
   return hidden.rows[static_cast<size_t>(y - kTile.y0)] >> (x - kTile.x0) & 1;
 }
 
-HiddenPixels hiddenBy(const Depth& front, const Depth& own, const DrawnPart& range, bool largestWins = false) {
+HiddenPixels hiddenBy(const Depth& front, const Depth& own, const DrawnPart& range,
+                      bool largestWins = false) {
   HiddenPixels hidden;
   addHidden(packDepths(imageOf(front), kTile, range, largestWins), range, imageOf(own), kTile, largestWins,
             kStep, hidden);
@@ -48,7 +49,9 @@ HiddenPixels hiddenBy(const Depth& front, const Depth& own, const DrawnPart& ran
 }
 
 TEST(TileDepths, WhatIsBehindIsHidden) {
-  const auto front = [](int x, int y) { return 0.4f + 0.001f * static_cast<float>(x) - 0.0005f * static_cast<float>(y); };
+  const auto front = [](int x, int y) {
+    return 0.4f + 0.001f * static_cast<float>(x) - 0.0005f * static_cast<float>(y);
+  };
   const auto behind = [&](int x, int y) { return front(x, y) + 0.001f; };
   const HiddenPixels hidden = hiddenBy(front, behind, part(0.3f, 0.6f));
   for (int y = kTile.y0; y < kTile.y1; ++y)
@@ -108,8 +111,10 @@ TEST(TileDepths, NeverHideWhatIsInFront) {
 TEST(TileDepths, AreSmall) {
   const auto empty = [](int, int) { return Image::kMiss; };
   EXPECT_TRUE(packDepths(imageOf(empty), kTile, part(0, 1), false).empty());
-  const auto plane = [](int x, int y) { return 0.3f + 1e-4f * static_cast<float>(x) + 2e-4f * static_cast<float>(y); };
-  EXPECT_LT(packDepths(imageOf(plane), kTile, part(0.2f, 0.4f), false).size(), 20 * 34u);
+  const auto plane = [](int x, int y) {
+    return 0.3f + 1e-4f * static_cast<float>(x) + 2e-4f * static_cast<float>(y);
+  };
+  EXPECT_LT(packDepths(imageOf(plane), kTile, part(0.2f, 0.4f), false).size(), 20 * 36u);
 }
 
 TEST(TileDepths, RefusesOtherBytes) {

@@ -1,5 +1,6 @@
 #include "cluster/stream/tile_pixels.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace gluray::cluster {
@@ -55,6 +56,32 @@ uint8_t bitsOf(Planes planes) {
   return bits;
 }
 
+/// Whether no ray of the tile hit anything: then the colour of misses says it all.
+bool isEmpty(const Image& image, const render::Tile& tile) {
+  if (!image.isPlain()) return false;
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    const size_t row = static_cast<size_t>(y) * static_cast<size_t>(image.width);
+    for (int x = tile.x0; x < tile.x1; ++x) {
+      const size_t at = row + static_cast<size_t>(x);
+      if (image.depth[at] != Image::kMiss || image.color[at] != image.missColor) return false;
+    }
+  }
+  return true;
+}
+
+void unpackEmpty(std::span<const std::byte> bytes, const ImageShape& shape, const PlanePointers& to,
+                 const render::Tile& tile) {
+  uint32_t color;
+  std::memcpy(&color, bytes.data(), sizeof color);
+  eachRow(shape, tile, [&](PlaneOf plane, size_t offset, size_t size) {
+    auto* const row = to.*plane + offset;
+    if (plane == &PlanePointers::color)
+      std::fill_n(reinterpret_cast<uint32_t*>(row), size / sizeof color, color);
+    else
+      std::fill_n(reinterpret_cast<float*>(row), size / sizeof(float), Image::kMiss);
+  });
+}
+
 }  // namespace
 
 void write(ByteWriter& out, const ImageShape& shape) {
@@ -99,6 +126,10 @@ void copyTile(const PlanePointers& from, const PlanePointers& to, const ImageSha
 
 std::vector<std::byte> packTile(const Image& image, const render::Tile& tile) {
   const ImageShape shape = shapeOf(image);
+  if (isEmpty(image, tile)) {
+    const auto* const color = reinterpret_cast<const std::byte*>(&image.missColor);
+    return {color, color + sizeof image.missColor};
+  }
   const PlanePointers planes = planesOf(const_cast<Image&>(image));
   std::vector<std::byte> bytes(bytesOfTile(shape, tile));
   std::byte* to = bytes.data();
@@ -111,6 +142,8 @@ std::vector<std::byte> packTile(const Image& image, const render::Tile& tile) {
 
 void unpackTile(std::span<const std::byte> bytes, const ImageShape& shape, const PlanePointers& to,
                 const render::Tile& tile) {
+  if (bytes.size() == sizeof(uint32_t) && shape.planes == Image::kColorDepth)
+    return unpackEmpty(bytes, shape, to, tile);
   if (bytes.size() != bytesOfTile(shape, tile)) throw Malformed("a tile has another size");
   const std::byte* from = bytes.data();
   eachRow(shape, tile, [&](PlaneOf plane, size_t offset, size_t size) {

@@ -39,7 +39,7 @@ size_t bytesOf(const ImageShape& shape);
 /// Copies one tile of all planes and samples.
 void copyTile(const PlanePointers& from, const PlanePointers& to, const ImageShape& shape,
               const render::Tile& tile);
-/// The tile's pixels of all planes and samples.
+/// The pixels of the tile, of all planes and samples; of tiles without hits only the colour of misses.
 std::vector<std::byte> packTile(const Image& image, const render::Tile& tile);
 /// Throws Malformed if `bytes` are not from packTile() for a tile of this size and shape.
 void unpackTile(std::span<const std::byte> bytes, const ImageShape& shape, const PlanePointers& to,

@@ -10,6 +10,7 @@
 #include "render/local/honest_look.h"
 #include "render/local/surface.h"
 #include "render/media/medium_lattice.h"
+#include "render/remote/drawn_part.h"
 #include "render/resolve/tone.h"
 
 #include <array>
@@ -87,6 +88,7 @@ struct FrameData {
   // Null: hits are lit when they are found. Otherwise traceEyeRays() stores the hits here, and lightSeen()
   // lights those that no other process hides (remote).
   HitBuffer* seen = nullptr;
+  DrawnPart drawn;  // with `seen`: the tiles that may show surfaces
   const Integrator* collector = nullptr;
   // Of moving frames whose surfaces all catch light and lose nothing but occlusion: the opacity of a hit is
   // this times 1 - Visibility::occlusion, so that hits are not stored but their depths. None: shades hits.

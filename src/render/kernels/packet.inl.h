@@ -44,8 +44,7 @@ template <class Sums>
 HWY_ATTR void traceSamples(const FrameData& frame, const Tile& tile, Sums* averages, WaitingPoints* waiting) {
   Work works[3];
   CollectedHits behind;  // scratch, for one packet at a time
-  for (Work& work : works)
-    initPacket(work.packet), work.waiting = waiting, work.colors = !frame.hits;
+  for (Work& work : works) initPacket(work.packet), work.waiting = waiting, work.colors = !frame.hits;
   GrownSamples grown(frame.grown.get(), tile,
                      2);  // a sample's last packets are finished while the next one is traced
   int count = 0;

@@ -7,8 +7,8 @@
 #define GLURAY_RENDER_RELIGHT_INL_H_
 #endif
 
-#include "render/moving/filter.h"
 #include "render/kernels/kept_packets.inl.h"
+#include "render/moving/filter.h"
 #include "render/tiles/tile.h"
 
 HWY_BEFORE_NAMESPACE();

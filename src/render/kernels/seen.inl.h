@@ -23,7 +23,8 @@ HWY_ATTR inline void keepSeen(const FrameData& frame, const Tile& tile, const Gr
   if (frame.grown) pickEdged(frame, grown, work);
   if (frame.leastDepth) pickLeastDepth(frame, centersOf(work), behind, work);
   if (work.hits) shadeNearest(frame, work);
-  eachPixel(work, tile, *frame.image, [&](size_t at, int i) HWY_ATTR { frame.image->depth[at] = work.depth[i]; });
+  eachPixel(work, tile, *frame.image,
+            [&](size_t at, int i) HWY_ATTR { frame.image->depth[at] = work.depth[i]; });
 }
 
 /// Pipelined as traceSamples() is.

@@ -133,7 +133,8 @@ HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFi
 HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
   const bool wide = !frame.bytes;
   const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
-    if (!work.lights) mergeDepths(lanes, depth, work), keepHits(*frame.seen, lanes, work);
+    if (!work.lights)
+      mergeDepths(lanes, depth, work), keepHits(*frame.seen, lanes, work);
     else if (!frame.hits)
       mergeShown(lanes, rows, depth, wide, work);
     else if (frame.caughtOcclusion)

@@ -63,6 +63,21 @@ DrawnPart drawnPart(const FrameData& frame) {
   return part;
 }
 
+void clearTile(const Tile& tile, Image& image) {
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    const size_t row = static_cast<size_t>(y) * static_cast<size_t>(image.width);
+    const auto fill = [&](auto& plane, size_t values, auto value) {
+      if (plane.empty()) return;
+      const auto first =
+          plane.begin() + static_cast<ptrdiff_t>(values * (row + static_cast<size_t>(tile.x0)));
+      std::fill_n(first, values * static_cast<size_t>(tile.x1 - tile.x0), value);
+    };
+    fill(image.color, 1, image.missColor);
+    fill(image.wideColor, 4, 0.0f);
+    fill(image.depth, 1, Image::kMiss);
+  }
+}
+
 float depthStep(const FrameData& frame) {
   constexpr float kFinest = 0x1p-22f;  // a few steps of a depth buffer of 24 bits, and of floats below 1
   const double steps = frame.snapshot->depthSteps;

@@ -1,10 +1,12 @@
 // Where in a view a process draws surfaces, and how far away: other processes there may hide them, or be
 // hidden. Any thread.
 #pragma once
+#include "base/image.h"
+#include "render/tiles/tile.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <optional>
 
 namespace gluray::render {
 
@@ -14,13 +16,15 @@ struct FrameData;
 /// is the nearest.
 struct DrawnPart {
   glm::ivec4 region{0};  // x, y, width, height of the image in window pixels
-  glm::ivec4 tiles{0};   // columns x .. z - 1 and rows y .. w - 1 of the image's tiles; empty: nothing is drawn
+  glm::ivec4 tiles{
+      0};  // columns x .. z - 1 and rows y .. w - 1 of the image's tiles; empty: nothing is drawn
   float nearest = 0, farthest = 0;
 
   bool empty() const { return tiles.x >= tiles.z || tiles.y >= tiles.w; }
   bool contains(int column, int row) const {
     return column >= tiles.x && column < tiles.z && row >= tiles.y && row < tiles.w;
   }
+  bool contains(const Tile& tile) const { return contains(tile.x0 / kTileSize, tile.y0 / kTileSize); }
   /// Whether surfaces of this part may hide some of `other`: where both have tiles.
   bool mayHide(const DrawnPart& other) const {
     return region == other.region && !empty() && !other.empty() && nearest < other.farthest &&
@@ -29,6 +33,9 @@ struct DrawnPart {
   }
   bool operator==(const DrawnPart&) const = default;
 };
+
+/// A tile without surfaces, in the image.
+void clearTile(const Tile&, Image&);
 
 /// The part of the view with the frame's surfaces. Bounds are wider than necessary by rounding.
 DrawnPart drawnPart(const FrameData&);

@@ -15,8 +15,7 @@ struct HiddenPixels {
   /// The 4x4 pixels from (x, y) on, four bits a row.
   uint32_t block(int x, int y) const {
     uint32_t bits = 0;
-    for (int row = 0; row < 4; ++row)
-      bits |= (rows[static_cast<size_t>(y + row)] >> x & 0xF) << (4 * row);
+    for (int row = 0; row < 4; ++row) bits |= (rows[static_cast<size_t>(y + row)] >> x & 0xF) << (4 * row);
     return bits;
   }
 };
