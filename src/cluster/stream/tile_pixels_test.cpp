@@ -8,7 +8,7 @@
 namespace gluray::cluster {
 namespace {
 
-constexpr render::Tile kTile{32, 0, 60, 20};
+constexpr render::Tile kRight{32, 0, 60, 20};
 
 Image imageOf(Planes planes, int samples = 1) {
   Image image;
@@ -32,17 +32,17 @@ Image emptyImage() {
 Image carried(const Image& image, const std::vector<std::byte>& bytes) {
   Image to;
   to.resize(image.width, image.height, image.samples, image.planes);
-  unpackTile(bytes, shapeOf(image), planesOf(to), kTile);
+  unpackTile(bytes, shapeOf(image), planesOf(to), kRight);
   return to;
 }
 
 void expectSame(const Image& image) {
-  const Image to = carried(image, packTile(image, kTile));
+  const Image to = carried(image, packTile(image, kRight));
   for (int sample = 0; sample < image.samples; ++sample) {
     for (int y = 0; y < image.height; ++y) {
       for (int x = 0; x < image.width; ++x) {
         const auto at = static_cast<size_t>((sample * image.height + y) * image.width + x);
-        const bool inside = x >= kTile.x0;
+        const bool inside = x >= kRight.x0;
         EXPECT_EQ(to.depth[at], inside ? image.depth[at] : 0.0f);
         if (!image.color.empty()) { EXPECT_EQ(to.color[at], inside ? image.color[at] : 0u); }
         if (!image.wideColor.empty()) {
@@ -62,14 +62,14 @@ TEST(TilePixels, AreTheSame) {
 
 TEST(TilePixels, WithoutSurfacesAreOneColor) {
   const Image empty = emptyImage();
-  EXPECT_EQ(packTile(empty, kTile).size(), sizeof(uint32_t));
+  EXPECT_EQ(packTile(empty, kRight).size(), sizeof(uint32_t));
   expectSame(empty);
 }
 
 TEST(TilePixels, OneHitIsEnough) {
   Image image = emptyImage();
   image.depth[5 * 60 + 40] = 0.5f;
-  EXPECT_EQ(packTile(image, kTile).size(), 8u * 28 * 20);
+  EXPECT_EQ(packTile(image, kRight).size(), 8u * 28 * 20);
   expectSame(image);
   Image colored = emptyImage();
   colored.color[5 * 60 + 40] = 1;
