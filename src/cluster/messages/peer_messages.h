@@ -42,13 +42,13 @@ struct SceneHeld {
   glm::dmat4 eyeFromLargest{1};  // of the surface with most triangles
   render::DrawnPart drawn;       // empty: the sender neither gives nor awaits depths
 };
-/// Depths of a tile, which the receiver's surfaces may lie behind.
+/// Depths of tiles, which the receiver's surfaces may lie behind.
 struct TileDepths {
   static constexpr uint16_t kType = 28;
   PeerAddress address;
-  uint64_t round = 0;             // of the sender
-  int32_t tile = 0;               // number of the image's tile, row by row
-  std::vector<std::byte> packed;  // cluster/peers/tile_depths.h
+  uint64_t round = 0;                          // of the sender
+  std::vector<int32_t> tiles;                  // numbers of the image's tiles, row by row
+  std::vector<std::vector<std::byte>> packed;  // beside `tiles`, as of cluster/peers/tile_depths.h
 };
 /// Rays, in the receiver's world (cluster/peers/query_stream.h).
 struct OcclusionQueries {
@@ -111,8 +111,8 @@ void fields(auto& archive, Like<SceneHeld> auto& value) {
           changes, eyeFromLargest, drawn);
 }
 void fields(auto& archive, Like<TileDepths> auto& value) {
-  auto& [address, round, tile, packed] = value;
-  archive(address, round, tile, packed);
+  auto& [address, round, tiles, packed] = value;
+  archive(address, round, tiles, packed);
 }
 void fields(auto& archive, Like<NoDepths> auto& value) {
   auto& [address, round] = value;

@@ -51,6 +51,8 @@ class PeerDepths {
   }
   /// Whether the peer needs the tile's depths; afterwards it has them.
   bool send(int rank, int tile) { return at(rank).sent.insert(tile).second; }
+  /// It has not got them after all.
+  void unsend(int rank, int tile) { at(rank).sent.erase(tile); }
 
  private:
   struct Peer {

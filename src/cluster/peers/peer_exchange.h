@@ -22,6 +22,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace gluray::cluster {
@@ -157,7 +158,8 @@ class PeerExchange final : public render::MovingTileSource, public render::Remot
   PartChanges parts_;
   bool changes_ = false;
   PeerDepths depths_;
-  render::DrawnPart own_;  // of the scene; empty: depths are not exchanged
+  std::unordered_map<int, TileDepths> batches_;  // by rank: that wait for more tiles
+  render::DrawnPart own_;                        // of the scene; empty: depths are not exchanged
   float depthStep_ = 0;
   bool met_ = false;  // near_ is known
   int columns_ = 0;   // of tiles

@@ -5,20 +5,29 @@
 #include "render/frame_data/frame_data.h"
 #include "render/tiles/tiles.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
 namespace gluray::cluster {
+namespace {
+
+constexpr size_t kBatch = 8;  // tiles of a message
+
+}  // namespace
 
 void PeerExchange::receive(TileDepths depths, double now) {
   const std::lock_guard lock(mutex_);
   const int rank = depths.address.from;
   heard_[static_cast<size_t>(rank)] = now;
-  depths_.receive(rank, depths.round, depths.tile, std::move(depths.packed));
   const size_t near = nearOf(rank);
-  if (near == near_.size() || !ledger_.depthsCame(depths.tile, near)) return;
-  --waiting_[near];
-  changed_.notify_all();
+  bool waited = false;
+  for (size_t i = 0; i < std::min(depths.tiles.size(), depths.packed.size()); ++i) {
+    depths_.receive(rank, depths.round, depths.tiles[i], std::move(depths.packed[i]));
+    if (near == near_.size() || !ledger_.depthsCame(depths.tiles[i], near)) continue;
+    --waiting_[near], waited = true;
+  }
+  if (waited) changed_.notify_all();
 }
 
 void PeerExchange::receive(const NoDepths& none, double now) {
@@ -87,9 +96,19 @@ void PeerExchange::sendDepths(int number, const render::Tile& tile, const Image&
           depths_.send(near_[i].rank(), number))
         to.push_back(near_[i].rank());
   }
-  if (to.empty()) return;
-  const std::vector<std::byte> packed = packDepths(image, tile, own_, snapshot_->camera.largestWins);
-  for (const int rank : to) sendTo(rank, TileDepths{{}, scene_.round, number, packed});
+  std::vector<std::byte> packed;
+  if (!to.empty()) packed = packDepths(image, tile, own_, snapshot_->camera.largestWins);
+  const std::lock_guard lock(mutex_);
+  for (const int rank : to) {
+    TileDepths& batch = batches_[rank];
+    batch.tiles.push_back(number), batch.packed.push_back(packed);
+  }
+  const size_t enough = ledger_.hasShared() ? kBatch : 1;
+  for (auto& [rank, batch] : batches_) {
+    if (batch.tiles.size() < enough) continue;
+    batch.round = scene_.round;
+    sendTo(rank, std::exchange(batch, {}));
+  }
 }
 
 const render::HiddenPixels& PeerExchange::hidden(const render::Tile& tile, const Image& image) noexcept {

@@ -102,6 +102,8 @@ void PeerExchange::begin(const Image& image) noexcept {
   const std::lock_guard lock(mutex_);
   ++attempt_;
   orderTiles(all);
+  for (const auto& [rank, batch] : std::exchange(batches_, {}))
+    for (const int tile : batch.tiles) depths_.unsend(rank, tile);
   colored_ = 0;
 }
 
@@ -139,7 +141,7 @@ void PeerExchange::done(int tile, double, bool seenThrough) noexcept {
     sendQueries(tile, traced, nowSeconds());
   else
     ledger_.finish(tile);
-  changed_.notify_all();
+  if (ledger_.isDone() || again_) changed_.notify_all();
 }
 
 void PeerExchange::collected(const render::VisibilityBuffer&, int tile, double seconds) noexcept {

@@ -7,6 +7,7 @@
 #include "scene/box_corner.h"
 #include "scene/effects.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -35,6 +36,13 @@ bool cover(const FrameData& frame, const accel::Bounds& box, Covered& covered) {
   return true;
 }
 
+/// Whether surfaces may show beyond the box that encloses them, because their size is one of the window.
+bool growsInWindow(const FrameData& frame) {
+  return frame.edgesGrow || std::ranges::any_of(frame.snapshot->instances, [](const scene::Instance& i) {
+           return scene::isInWindow(i.mesh->shape);
+         });
+}
+
 /// The tile that a distance from the image's edge falls into, and neighbours by rounding.
 int tileAt(double pixel, double margin, int tiles) {
   const double tile = std::floor((pixel + margin) / kTileSize);
@@ -52,7 +60,7 @@ DrawnPart drawnPart(const FrameData& frame) {
   part.tiles = {0, 0, columns, rows};
   part.nearest = 0, part.farthest = 1;
   Covered covered;
-  if (!cover(frame, frame.world->seenBounds(), covered)) return part;
+  if (growsInWindow(frame) || !cover(frame, frame.world->seenBounds(), covered)) return part;
   constexpr double kPixel = 1, kDepth = 1e-5;
   part.tiles = {std::max(tileAt(covered.lower.x - region.x, -kPixel, columns), 0),
                 std::max(tileAt(covered.lower.y - region.y, -kPixel, rows), 0),
