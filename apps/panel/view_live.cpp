@@ -1,6 +1,7 @@
 // The window of `gluray view` with the engine's library, on an X server: view_live ENGINE GLURAY SCENE
 // FOLDER; works in the folder, and leaves images of the window there.
 // view_live ENGINE GLURAY SCENE FILE --picture LOOK RIGHT,UP: makes an image of the window.
+#include "view/look_settings.h"
 #include "view/view_widget.h"
 #include "view/view_window.h"
 
@@ -10,6 +11,7 @@
 #include <QClipboard>
 #include <QColorSpace>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
@@ -151,6 +153,18 @@ TEST_F(ViewLiveTest, SettingsOfTheCommandLineCount) {
   ASSERT_TRUE(after([&] { view().turn(30, 10); }));
   expectAsSaved("darker.png");
   EXPECT_TRUE(command_.contains("--preset draft --set ao=true --set ao.samples=2")) << command_.toStdString();
+}
+
+TEST_F(ViewLiveTest, SettingsBesideTheLookCount) {
+  ASSERT_TRUE(finish());
+  auto* exposure = window_->findChild<QWidget*>("exposure")->findChild<QDoubleSpinBox*>();
+  ASSERT_TRUE(after([&] { exposure->setValue(-1); }));
+  expectAsSaved("exposed.png");
+  EXPECT_TRUE(command_.contains("--set exposure=-1")) << command_.toStdString();
+  image("settings");
+  auto* settings = window_->findChild<LookSettings*>();
+  ASSERT_TRUE(after([&] { emit settings->chosen("exposure", ""); }));
+  EXPECT_EQ(exposure->value(), 0);
 }
 
 TEST_F(ViewLiveTest, MouseAndKeysMoveTheView) {

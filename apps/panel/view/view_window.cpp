@@ -2,6 +2,7 @@
 
 #include "qt_text.h"
 #include "settings/rows.h"
+#include "view/look_settings.h"
 #include "view/view_widget.h"
 
 #include <QAction>
@@ -19,12 +20,20 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace gluray::panel {
 namespace {
 
 constexpr int kLine = 15000;  // milliseconds that a line is shown
+
+/// The window is as high as the scene's, if that leaves this much.
+void shareHeight(QWidget& list) {
+  constexpr int kLeast = 90;  // pixels
+  list.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
+  list.setMinimumHeight(kLeast);
+}
 
 }  // namespace
 
@@ -41,7 +50,7 @@ ViewWindow::ViewWindow(std::unique_ptr<EngineView> view, QString scene, QString 
   statusBar()->addPermanentWidget(step_);
   makeSide();
   makeActions();
-  widget_->setSettings(look_.settings(presets_));
+  takeLook();
   connect(widget_, &ViewWidget::progressed, this, &ViewWindow::showStep);
   connect(&thread_, &ViewThread::failed, this, &ViewWindow::showLine);
   connect(&picture_, &PictureProcess::done, this, [this](const QString& line, const QString& command) {
@@ -65,6 +74,7 @@ void ViewWindow::showLine(const QString& line) { statusBar()->showMessage(line, 
 QWidget* ViewWindow::makeLooks(QWidget* parent) {
   looks_ = new QListWidget(parent);
   looks_->setObjectName("looks");
+  shareHeight(*looks_);
   looks_->setAccessibleName(tr("Look"));
   looks_->addItem(tr("as saved"));
   looks_->item(0)->setToolTip(tr("The settings that the program had"));
@@ -101,6 +111,23 @@ QWidget* ViewWindow::makeQualities(QWidget* parent) {
   return qualities_;
 }
 
+/// Basic settings, over those of the look.
+QWidget* ViewWindow::makeSettings(QWidget* parent) {
+  std::map<std::string, std::string> saved;
+  const nlohmann::json texts = nlohmann::json::parse(thread_.facts().settings, nullptr, false);
+  for (const auto& [name, text] : texts.items())
+    if (text.is_string()) saved[name] = text.get<std::string>();
+  settings_ = new LookSettings(std::move(saved), parent);
+  shareHeight(*settings_);
+  connect(settings_, &LookSettings::refused, this, &ViewWindow::showLine);
+  connect(settings_, &LookSettings::chosen, this, [this](const std::string& name, const std::string& value) {
+    std::erase_if(look_.values, [&](const auto& known) { return known.first == name; });
+    if (!value.empty()) look_.values.emplace_back(name, value);
+    takeLook();
+  });
+  return settings_;
+}
+
 void ViewWindow::makeSide() {
   auto* dock = new QDockWidget(tr("Look and picture"), this);
   dock->setObjectName("side");
@@ -118,8 +145,9 @@ void ViewWindow::makeSide() {
   sizes_->setToolTip(tr("Pixels, such as 3840x2160"));
   sizes_->setEditable(true);
   sizes_->addItems({tr("as shown"), "1920x1080", "2560x1440", "3840x2160", "7680x4320"});
-  add(tr("&Look"), makeLooks(inside), 1);
+  add(tr("&Look"), makeLooks(inside), 2);
   add(tr("&Quality"), makeQualities(inside), 0);
+  add(tr("S&ettings"), makeSettings(inside), 3);
   add(tr("Si&ze of saved pictures"), sizes_, 0);
   auto* save = new QPushButton(tr("&Save picture..."), inside);
   save->setToolTip(tr("Saves a picture of this view (Ctrl+S), and prints the command that makes it again"));
@@ -143,7 +171,10 @@ void ViewWindow::makeActions() {
   add({QKeySequence::Quit, QKeySequence::Close}, [this] { close(); });
 }
 
-void ViewWindow::takeLook() { widget_->setSettings(look_.settings(presets_)); }
+void ViewWindow::takeLook() {
+  widget_->setSettings(look_.settings(presets_));
+  settings_->show(look_, presets_);
+}
 
 void ViewWindow::setPreset(const QString& preset) {
   for (int row = 0; row < looks_->count(); ++row)

@@ -14,6 +14,7 @@ class QListWidget;
 
 namespace gluray::panel {
 
+class LookSettings;
 class ViewWidget;
 
 class ViewWindow : public QMainWindow {
@@ -49,6 +50,7 @@ class ViewWindow : public QMainWindow {
 
   QWidget* makeLooks(QWidget* parent);
   QWidget* makeQualities(QWidget* parent);
+  QWidget* makeSettings(QWidget* parent);
   void takeLook();
 
   const QString scene_;
@@ -57,6 +59,7 @@ class ViewWindow : public QMainWindow {
   ViewThread thread_;
   ViewWidget* widget_;
   QListWidget* looks_ = nullptr;
+  LookSettings* settings_ = nullptr;
   QComboBox *sizes_ = nullptr, *qualities_ = nullptr;
   QLabel* step_;
   PictureProcess picture_;

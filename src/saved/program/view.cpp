@@ -2,17 +2,20 @@
 
 #include "saved/program/camera_of.h"
 #include "saved/view/scene_view.h"
+#include "settings/values.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 struct GlurayView {
   explicit GlurayView(gluray::saved::SavedScene scene) : view(std::move(scene)) {}
   gluray::saved::SceneView view;
+  std::string settings;
 };
 
 namespace gluray::saved {
@@ -37,6 +40,20 @@ GlurayViewFacts factsOf(const SceneView& view) {
   std::copy_n(&view.camera()->middle.x, 3, facts.middle);
   facts.radius = view.camera()->radius;
   return facts;
+}
+
+/// Those of the view with the most pixels: others are orientation markers and the like. JSON.
+std::string settingsOf(const SavedScene& scene) {
+  Session session;
+  int64_t most = -1;
+  for (const SavedBatch& batch : scene.batches) {
+    const glm::ivec4 viewport = batch.snapshot->camera.viewport;
+    const int64_t pixels = int64_t{viewport.z} * viewport.w;
+    if (pixels > most) most = pixels, session.settings = batch.snapshot->settings;
+  }
+  nlohmann::json texts = nlohmann::json::object();
+  for (const Row& row : settingRows()) texts[std::string(row.name)] = printValue(row, session);
+  return texts.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
 /// The result of `work`, or none with one line in `why`.
@@ -65,7 +82,8 @@ __attribute__((visibility("default"))) GlurayView* glurayViewOpen(int version, c
     auto view = std::make_unique<GlurayView>(readScene(scene));
     if (view->view.scene().window.x < 1 || view->view.scene().window.y < 1)
       throw std::runtime_error("the size of the window is not known");
-    *facts = factsOf(view->view);
+    view->settings = settingsOf(view->view.scene());
+    *facts = factsOf(view->view), facts->settings = view->settings.c_str();
     return view.release();
   });
 }

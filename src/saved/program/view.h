@@ -17,6 +17,7 @@ typedef struct GlurayViewFacts {
   GlurayCamera camera;   /* in a world that the scene has */
   double middle[3];      /* of a ball around the surfaces, in that world */
   double radius;
+  const char* settings; /* of the largest view, as the program had them: a JSON object of texts */
 } GlurayViewFacts;
 
 /* Null: one line in `why`. `version`: kGlurayRenderVersion. */

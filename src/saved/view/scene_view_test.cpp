@@ -85,7 +85,7 @@ void expectAsRendered(SceneView& view, const ViewRequest& request, const std::st
 
 TEST(SceneView, FinishedPicturesAreThoseOfShots) {
   scene::Snapshot lit = balls(kSide), plain = unlit(balls(kSide, Floor::none));
-  lit.settings.noise = 0.02f, lit.settings.ao.samples = 2;
+  lit.settings.noise = 0.02f, lit.settings.ao.samples = 2, lit.settings.refine.passes = 10;
   for (const scene::Snapshot& s : {lit, plain, averaged(plain), layered(plain)}) {
     SceneView view(marked(s));
     ASSERT_TRUE(view.camera());
@@ -125,7 +125,7 @@ TEST(SceneView, GetsBetterStepByStep) {
 
 TEST(SceneView, IsLeftWhenSomethingElseIsWanted) {
   scene::Snapshot s = balls(kSide);
-  s.settings.noise = 1e-9f, s.settings.refine.passes = 200;
+  s.settings.noise = 1e-9f, s.settings.refine.passes = 60;
   SceneView view(marked(s));
   std::atomic<int> left{40};
   int steps = 0;
