@@ -5,9 +5,10 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import time
 import unittest
 
-from saved_case import GLURAY, SavedCase
+from saved_case import GLURAY, PATIENCE, SavedCase
 
 VIEW_LIVE, ENGINE = sys.argv[4:6]
 OUT = pathlib.Path(sys.argv[6])
@@ -24,6 +25,16 @@ class View(SavedCase):
     def test_scenes_with_light(self):
         self.saved(*QUICK)
         self.drive("scene.gluray")
+
+    def test_the_launcher_opens_the_window(self):
+        self.saved(*QUICK)
+        viewer = self.spawn(GLURAY, "view", "scene.gluray", "--preset", "draft")
+        end = time.monotonic() + PATIENCE
+        while "scene.gluray - GLuRay" not in subprocess.run(["xwininfo", "-root", "-tree"], capture_output=True, text=True).stdout:
+            self.assertIsNone(viewer.poll())
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.1)
+        self.assertEqual(pathlib.Path(f"/proc/{viewer.pid}/comm").read_text().strip(), "gluray-panel")
 
     def test_mistakes_get_one_line(self):
         scene = self.saved()
