@@ -19,8 +19,8 @@ struct DerivedCamera {
 };
 
 /// The camera of the largest view, in the object space of its first surface that is neither stretched nor
-/// sheared. Its focal point lies on the line of sight, as deep as the middle of the surfaces. None: no
-/// surface has such a space.
+/// sheared, or in a space with the axes of a surface and the lengths of the camera's own space. Its focal
+/// point lies on the line of sight, as deep as the middle of the surfaces. None: no surface has such a space.
 std::optional<DerivedCamera> derivedCamera(const std::vector<scene::SnapshotPtr>& batches);
 
 }  // namespace gluray::saved

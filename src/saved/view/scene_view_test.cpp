@@ -176,9 +176,29 @@ TEST(SceneView, FindsPoints) {
   }
 }
 
+/// The camera is that of eye space, whatever the surfaces' own spaces are.
+TEST(SceneView, KnowsTheCameraBesideStretchedObjects) {
+  scene::Snapshot s = unlit(balls(kSide, Floor::none));
+  for (scene::Instance& instance : s.instances)
+    instance.eyeFromObject =
+        instance.eyeFromObject * glm::scale(glm::translate(glm::dmat4(1), {0.1, 0.1, -0.2}), {2, 0.5, 3});
+  SceneView view(sceneOf(s));
+  ASSERT_TRUE(view.camera());
+  const ViewCamera& camera = view.camera()->camera;
+  const glm::dmat4& eye = view.camera()->known.eyeFromWorld;
+  const glm::dvec3 place(eye * glm::dvec4(camera.position, 1)), focal(eye * glm::dvec4(camera.focalPoint, 1)),
+      up(eye * glm::dvec4(camera.up, 0));
+  EXPECT_NEAR(glm::length(place), 0, 1e-6);
+  EXPECT_NEAR(glm::dot(glm::normalize(focal), glm::dvec3(0, 0, -1)), 1, 1e-9);
+  EXPECT_NEAR(up.y, 1, 1e-6);
+  EXPECT_NEAR(camera.viewAngle, 35, 1e-6);
+  expectAsRendered(view, {{kSide, kSide}, turnedBy(camera, 40), {}}, "turned");
+}
+
 TEST(SceneView, RefusesWhatItCannotShow) {
   scene::Snapshot sheared = unlit(balls(kSide));
-  for (scene::Instance& instance : sheared.instances) instance.eyeFromObject[0] *= 3.0;
+  for (scene::Instance& instance : sheared.instances)
+    instance.eyeFromObject[0] += 0.5 * instance.eyeFromObject[1];
   SceneView view(sceneOf(sheared));
   EXPECT_FALSE(view.camera());
   EXPECT_TRUE(looked(view, {{kSide, kSide}, {}, {}}).whole);
