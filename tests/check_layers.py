@@ -48,7 +48,7 @@ FOLDERS = {
     "control": ["", "messages", "auth", "connection", "client", "link/program", "link", "hub", "hub/server"],
     "cluster": ["stream", "messages", "local", "ranks", "ranks/mpi", "program", "arrays", "shares", "pages", "peers", "gather",
                 "worker/facts", "worker/moving", "worker"],
-    "saved": ["exr", "sections", "scene", "shot", "export/arrays", "export/gather", "export/formats", "export", "layers", "program"],
+    "saved": ["exr", "sections", "scene", "shot", "export/arrays", "export/gather", "export/formats", "export", "layers", "view", "program"],
     "intercept": ["doors", "stubs", "probe", "session", "window_systems", "present/state", "present/read_back", "present/write_back",
                   "present/raster", "present", "tracing", "hud", "windows", "contexts", "reports", "control", "capture", "frames", "hooks", ""],
 }

@@ -7,7 +7,7 @@ function(link_test NAME)
 endfunction()
 
 link_test(engine_exports ${link_check} exports $<TARGET_FILE:gluray-engine> glurayEngine glurayAsk glurayForget glurayWorker glurayRender
-          glurayExport glurayWriteExr)
+          glurayExport glurayWriteExr glurayViewOpen glurayViewClose glurayViewShow glurayViewPoint)
 link_test(vendor_glx_exports ${link_check} exports $<TARGET_FILE:gluray-door-glx> __glx_Main)
 link_test(vendor_egl_exports ${link_check} exports $<TARGET_FILE:gluray-door-egl> __egl_Main)
 link_test(preload_exports ${link_check} preload-exports $<TARGET_FILE:gluray-preload>)

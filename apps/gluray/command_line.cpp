@@ -95,6 +95,7 @@ bool namesCommand(int argc, char** argv, Command& command) {
                                                           {"uninstall", Command::uninstall},
                                                           {"report-bug", Command::reportBug},
                                                           {"render", Command::render},
+                                                          {"view", Command::view},
                                                           {"export", Command::exportScene}};
   if (argc > 1 && namesControlCommand(argv[1], command)) return true;
   const auto found = argc > 1 ? commands.find(argv[1]) : commands.end();
@@ -124,6 +125,7 @@ void describe(CLI::App& app, CommandLine& line) {
   if (line.command == Command::timeline) return describeTimeline(app, line);
   if (line.command == Command::hub) return describeHub(app, line);
   if (line.command == Command::render) return describeRender(app, line);
+  if (line.command == Command::view) return describeView(app, line);
   if (line.command == Command::exportScene) return describeExport(app, line);
   if (line.command != Command::run && line.command != Command::panel && line.command != Command::reportBug)
     app.add_flag("--json", line.json, "Print JSON");
@@ -217,8 +219,8 @@ void describe(CLI::App& app, CommandLine& line) {
 /// Whether a program may follow the options: the others take names or a file.
 bool takesProgram(Command command) {
   return command != Command::timeline && command != Command::get && command != Command::presets &&
-         command != Command::hub && command != Command::render && command != Command::exportScene &&
-         !isControlCommand(command);
+         command != Command::hub && command != Command::render && command != Command::view &&
+         command != Command::exportScene && !isControlCommand(command);
 }
 
 std::string problemOfShots(const CommandLine& line) {

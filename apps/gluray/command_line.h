@@ -42,6 +42,7 @@ enum class Command {
   film,
   save,
   render,
+  view,
   exportScene
 };
 

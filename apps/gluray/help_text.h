@@ -50,6 +50,7 @@ Pictures of saved scenes:
   gluray render SCENE.gluray FILE.png   make a picture of any size, without the program; FILE.exr: OpenEXR
   gluray render SCENE - --y4m --turntable 90 | ffmpeg -i - turn.mp4   a film; also along a --path
   gluray render --again FILE.png        make a picture again as it was made
+  gluray view SCENE.gluray              turn it in a window, choose a look, save pictures
   gluray export SCENE.gluray FILE       write it as glTF (.glb), .obj or .ply
 
 After a run:

@@ -13,6 +13,7 @@
 #include "explain/explain.h"
 #include "pictures/export.h"
 #include "pictures/render.h"
+#include "pictures/view.h"
 #include "programs/environment.h"
 #include "programs/launch.h"
 #include "programs/program.h"
@@ -55,6 +56,7 @@ int perform(const CommandLine& line) {
     case Command::timeline: return showTimeline(line);
     case Command::hub: return runHub(line);
     case Command::render: return renderSaved(line);
+    case Command::view: return viewSaved(line);
     case Command::exportScene: return exportSaved(line);
     default: return run(line);
   }

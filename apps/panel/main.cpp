@@ -1,9 +1,12 @@
-// gluray-panel: shows every program that runs under GLuRay, and changes their settings.
+// gluray-panel: shows every program that runs under GLuRay, and changes their settings; and a
+// saved scene, for gluray view.
 #include "control/runtime_directory.h"
+#include "display.h"
 #include "main_window.h"
 #include "model/controls.h"
 #include "model/finish_changes.h"
 #include "model/hub_thread.h"
+#include "view/run_view.h"
 #include "wake/wake.h"
 
 #include <QApplication>
@@ -11,27 +14,11 @@
 #include <cstdio>
 #include <cstring>
 
-namespace {
-
-/// One line on standard error instead of Qt's abort. False: there is no display that the panel could use.
-bool displayIsThere(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i)
-    if (!std::strcmp(argv[i], "-platform") || !std::strcmp(argv[i], "-display")) return true;
-  if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY"))
-    return true;
-  const QByteArray display = qgetenv("DISPLAY");
-  if (!display.isEmpty() && gluray::canReach(display.toStdString())) return true;
-  const char* const why = display.isEmpty() ? "no display: DISPLAY is not set" : "no display can be reached";
-  std::fprintf(stderr, "gluray-panel: %s%s; use ssh -X, or gluray list and gluray set, which need none\n",
-               why, display.isEmpty() ? "" : (" at " + display).constData());
-  return false;
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
   using namespace gluray;
-  if (!displayIsThere(argc, argv)) return 1;
+  if (argc > 1 && !std::strcmp(argv[1], panel::kViewWord)) return panel::runView(argc, argv);
+  if (!panel::displayIsThere(argc, argv, "gluray-panel", "gluray list and gluray set, which need none"))
+    return 1;
   QApplication application(argc, argv);
   QApplication::setApplicationName("gluray-panel");
   QApplication::setApplicationVersion(GLURAY_VERSION);

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gluray::launcher {
@@ -28,11 +29,9 @@ std::string panelProgram() {
 
 }  // namespace
 
-int openPanel(const CommandLine& line) {
+int becomePanel(std::vector<std::string> words) {
   const std::string program = panelProgram();
-  std::vector<std::string> words{program};
-  const control::HubAddress address = addressOf(line);
-  if (!address.host.empty()) words.insert(words.end(), {"--hub", address.host, "--key", address.keyFile});
+  words.insert(words.begin(), program);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -42,6 +41,13 @@ int openPanel(const CommandLine& line) {
   else
     say(program + ": " + std::strerror(errno));
   return 1;
+}
+
+int openPanel(const CommandLine& line) {
+  std::vector<std::string> words;
+  const control::HubAddress address = addressOf(line);
+  if (!address.host.empty()) words = {"--hub", address.host, "--key", address.keyFile};
+  return becomePanel(std::move(words));
 }
 
 }  // namespace gluray::launcher

@@ -22,6 +22,17 @@ void describeRender(CLI::App& app, CommandLine& line) {
   addRepeatOption(app, line.picture, {"SCENE", "FILE"});
 }
 
+void describeView(CLI::App& app, CommandLine& line) {
+  app.description(
+      "Shows a scene that `gluray save` saved in a window: to turn it, to choose a look, and to save "
+      "pictures. "
+      "For\n"
+      "each one it prints the command that makes it again.");
+  app.name("gluray view");
+  app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray")->required();
+  addSettingOptions(app, line.settings, false);
+}
+
 void describeExport(CLI::App& app, CommandLine& line) {
   app.description(
       "Writes a scene that `gluray save` saved in a form that other programs read: glTF 2.0, OBJ or PLY.");

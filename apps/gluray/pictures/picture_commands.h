@@ -10,6 +10,8 @@ namespace gluray::launcher {
 
 /// gluray render.
 void describeRender(CLI::App& app, CommandLine& line);
+/// gluray view.
+void describeView(CLI::App& app, CommandLine& line);
 /// gluray export.
 void describeExport(CLI::App& app, CommandLine& line);
 

@@ -2,19 +2,18 @@
 
 #include "saved/exr/exr_writer.h"
 #include "saved/layers/picture_layers.h"
+#include "saved/program/camera_of.h"
 #include "saved/scene/scene_hash.h"
 #include "saved/shot/linear_color.h"
+#include "saved/shot/picture_settings.h"
 #include "saved/shot/shot.h"
-#include "settings/values.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <functional>
-#include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
+#include <vector>
 
 namespace gluray::saved {
 namespace {
@@ -24,38 +23,6 @@ Fit fitOf(const std::string& word) {
   if (word == "crop") return Fit::crop;
   if (word == "stretch") return Fit::stretch;
   throw std::runtime_error("fit: use all, crop or stretch");
-}
-
-/// Smooth edges in pictures of other sizes than the window's, unless the user chose the samples.
-constexpr int kEdgeSamples = 4;
-
-bool choosesSamples(std::span<const char* const> settings) {
-  return std::any_of(settings.begin(), settings.end(),
-                     [](std::string_view text) { return text.starts_with("spp="); });
-}
-
-/// Settings with other values; empty: the same. Throws if they cannot be read.
-std::function<Settings(const Settings&)> changed(std::span<const char* const> values) {
-  if (values.empty()) return {};
-  return [values](const Settings& settings) {
-    Session session;
-    session.settings = settings;
-    for (const std::string_view text : values) {
-      const size_t equals = text.find('=');
-      const std::string name(text.substr(0, equals));
-      const Row* const row = findSetting(name);
-      if (!row) throw std::runtime_error(unknownSetting(name));
-      const std::string why =
-          readValue(*row, equals == std::string_view::npos ? "" : text.substr(equals + 1), session);
-      if (!why.empty()) throw std::runtime_error(name + ": " + why);
-    }
-    return session.settings;
-  };
-}
-
-ViewCamera cameraOf(const GlurayCamera& c) {
-  const auto vector = [](const double(&v)[3]) { return glm::dvec3(v[0], v[1], v[2]); };
-  return {vector(c.position), vector(c.focalPoint), vector(c.up), c.viewAngle, c.parallelScale};
 }
 
 /// Null: the request has no cameras.
@@ -156,15 +123,15 @@ bool render(const GlurayRenderRequest& request, const GlurayRenderSink& sink) {
   if (request.version != kGlurayRenderVersion)
     throw std::runtime_error("install GLuRay again: its library is of another version");
   SavedScene scene = readScene(request.scene);
-  const std::span settings(request.settings, static_cast<size_t>(request.settingCount));
+  const std::vector<std::string> settings(request.settings, request.settings + request.settingCount);
   const std::string facts = factsOf(scene, request.sceneHash);
   ShotOptions options{.size = {request.width, request.height},
                       .fit = fitOf(request.fit),
                       .transparent = request.transparent != 0,
                       .overlays = request.overlays != 0,
                       .known = knownViewOf(scene, request),
-                      .settings = changed(settings),
-                      .edgeSamples = choosesSamples(settings) ? 1 : kEdgeSamples};
+                      .settings = withValues(settings),
+                      .edgeSamples = edgeSamplesFor(settings)};
   if (request.values == kGlurayLinear && !canWriteExr())
     throw std::runtime_error("this GLuRay was built without OpenEXR: use a name that ends in .png");
   frame::Renderer renderer;  // keeps the structures of meshes from picture to picture

@@ -53,13 +53,25 @@ bool hasWorldAxes(const glm::dmat4& cameraFromObject, const ViewCamera& camera) 
   return true;
 }
 
+/// Whether both matrices put the camera's surroundings at the same place, in the same size.
+bool areSame(const glm::dmat4& a, const glm::dmat4& b, const ViewCamera& camera) {
+  const double size = glm::length(glm::dvec3(b[0])),
+               distance = glm::length(camera.position - camera.focalPoint);
+  for (int i = 0; i < 3; ++i)
+    if (!areNear(a[i], b[i], kWritten * size)) return false;
+  const glm::dvec4 focalPoint(camera.focalPoint, 1);
+  return areNear(a * focalPoint, b * focalPoint, kWritten * size * distance);
+}
+
 /// Whether some surface's object space is the world in which the camera is that of the saved view.
 std::optional<KnownView> foundIn(const SnapshotPtr& batch, const ViewCamera& camera) {
   const std::optional<glm::dmat4> own = eyeFromCameraOf(*batch, camera);
   for (const scene::Instance& instance : batch->instances) {
     const auto seen = seenCamera(batch->camera.clipFromEye * instance.eyeFromObject);
     if (!seen || !areAlike(*seen, camera, own ? kWritten : kComputed)) continue;
-    return KnownView{camera, batch, own ? *own * *cameraFromWorld(camera) : instance.eyeFromObject};
+    const glm::dmat4 exact = own ? *own * *cameraFromWorld(camera) : instance.eyeFromObject;
+    const bool isExact = areSame(exact, instance.eyeFromObject, camera);
+    return KnownView{camera, batch, isExact ? exact : instance.eyeFromObject};
   }
   return std::nullopt;
 }
@@ -104,6 +116,13 @@ KnownView knownView(const std::vector<SnapshotPtr>& batches, std::span<const Vie
   throw std::runtime_error(
       "the program's world space is not known: no camera of the path is that of the saved view; give it with "
       "--saved-camera FILE");
+}
+
+glm::dmat4 eyeFromWorld(const KnownView& known, const ViewCamera& camera) {
+  const auto there = cameraFromWorld(camera), here = cameraFromWorld(known.camera);
+  if (!there || !here)
+    throw std::runtime_error("a camera of the path looks nowhere, or upwards along its line of sight");
+  return known.eyeFromWorld * (glm::inverse(*here) * *there);
 }
 
 std::vector<SnapshotPtr> seenFrom(const std::vector<SnapshotPtr>& batches, const KnownView& known,

@@ -25,6 +25,11 @@ struct KnownView {
 KnownView knownView(const std::vector<scene::SnapshotPtr>& batches, std::span<const ViewCamera> cameras,
                     bool stated);
 
+/// The matrix from the world to the eye space of the known view's batch, as seenFrom() moves it for the
+/// camera: that of known.eyeFromWorld for the known camera. Throws std::runtime_error with one line if the
+/// camera cannot be.
+glm::dmat4 eyeFromWorld(const KnownView& known, const ViewCamera& camera);
+
 /// The batches as the camera sees them. Batches of the known view's camera are seen from there; others, such
 /// as orientation markers, turn about their own middle. Lights stay at the camera. The near and far planes
 /// enclose the surfaces. Throws std::runtime_error with one line if the camera cannot be.

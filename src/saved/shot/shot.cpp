@@ -1,6 +1,5 @@
 #include "saved/shot/shot.h"
 
-#include "frame/images/traced_images.h"
 #include "saved/shot/turned_view.h"
 #include "scene/effects.h"
 #include "scene/premultiplied.h"
@@ -13,9 +12,6 @@ namespace gluray::saved {
 namespace {
 
 using Of = scene::Layers::Of;
-
-// Numbers of views: one exposure holds for all bands, and all turns, of a picture.
-constexpr uint64_t kPicture = 1, kProgram = 2;
 
 constexpr int kRowUnit = 32;      // rows of tiles
 constexpr int kFilterReach = 32;  // pixels around a band that change its filtered light
@@ -35,7 +31,10 @@ bool isNoisy(const scene::Snapshot& s) { return scene::wantsLight(s.settings) ||
 }  // namespace
 
 Shot::Shot(SavedScene scene, const ShotOptions& options, frame::Renderer& renderer)
-    : scene_(std::move(scene)), options_(options), renderer_(renderer) {
+    : scene_(std::move(scene)),
+      options_(options),
+      renderer_(renderer),
+      plate_(std::make_shared<const Plate>()) {
   if (scene_.window.x <= 0 || scene_.window.y <= 0)
     throw std::runtime_error("the size of the window is not known");
   if (options_.size == glm::ivec2(0)) options_.size = scene_.window;
@@ -78,6 +77,7 @@ void Shot::look() {
     SavedBatch batch = batches_[i];
     batch.snapshot = snapshots[i];
     place(batch);
+    placed_.back().saved = scene_.batches[i].snapshot;
   }
   lookAtWindow();
 }
@@ -96,7 +96,7 @@ Shot::Placed Shot::placedIn(const ShotFrame& frame, const SavedBatch& batch) con
   placed.snapshot = frame.placed(batch);
   int& samples = placed.snapshot.settings.spp;
   if (!frame.isWindow()) samples = std::max(samples, options_.edgeSamples);
-  placed.snapshot.viewFrame = kPicture;
+  placed.snapshot.viewFrame = options_.look;
   placed.snapshot.settings.refine.progress = false;
   placed.test = {.strict = batch.strict, .largestWins = placed.snapshot.camera.largestWins};
   for (const scene::Region& box : batch.cleared) {
@@ -115,7 +115,7 @@ void Shot::place(const SavedBatch& batch) {
 }
 
 /// What the window shows of these batches, which may have the settings of the program or of the picture.
-Canvas Shot::windowOf(const std::vector<SavedBatch>& batches, uint64_t view) {
+Canvas Shot::windowOf(const std::vector<SavedBatch>& batches, WindowLook look) {
   const ShotFrame window(scene_.window, scene_.window, Fit::all);
   const scene::Region all{0, 0, scene_.window.x, scene_.window.y};
   int samples = 1;
@@ -123,7 +123,7 @@ Canvas Shot::windowOf(const std::vector<SavedBatch>& batches, uint64_t view) {
   Canvas canvas(all, samples);
   for (size_t i = 0; i < batches.size(); ++i) {
     Placed placed = placedIn(window, batches[i]);
-    placed.snapshot.viewFrame = view;
+    if (look == WindowLook::program) placed.snapshot.view |= kProgramView;
     const auto& layers = placed.snapshot.layers;
     if (layers && layers->of != Of::drawn && !options_.movesCamera()) {
       placed_[i].window = placed.snapshot.region;
@@ -141,20 +141,29 @@ Canvas Shot::windowOf(const std::vector<SavedBatch>& batches, uint64_t view) {
 void Shot::lookAtWindow() {
   const bool wantsPlate = knowsWindow() && !options_.transparent;
   if (frame_->isWindow() && !wantsPlate && bands() == 1 && !options_.movesCamera()) return;
-  const bool isSame = !options_.settings;
+  WindowMemory own;
+  WindowMemory& memory = options_.window ? *options_.window : own;
+  const bool moves = options_.movesCamera(), isSame = !options_.settings;
+  if (moves && memory.exposed && (memory.moved || !wantsPlate)) {
+    if (wantsPlate) plate_ = memory.moved;
+    return;
+  }
   const bool exposes = std::any_of(batches_.begin(), batches_.end(), [](const SavedBatch& batch) {
     return batch.snapshot->settings.autoExposure;
   });
-  if (!wantsPlate || (!isSame && exposes)) windowOf(batches_, kPicture);
+  if (!wantsPlate || (!isSame && exposes)) windowOf(batches_, WindowLook::picture);
+  memory.exposed = true;
   if (!wantsPlate) return;
-  const Canvas shown = windowOf(scene_.batches, isSame ? kPicture : kProgram);
+  const Canvas shown = windowOf(scene_.batches, isSame ? WindowLook::picture : WindowLook::program);
   const bool noisy = std::any_of(scene_.batches.begin(), scene_.batches.end(),
                                  [](const SavedBatch& batch) { return isNoisy(*batch.snapshot); });
-  plate_ = Plate(scene_.shown, shown.colors(), showsWindow() && isSame && !noisy);
-  if (!options_.overlays || options_.movesCamera())
-    plate_.clearBackground();
+  const auto plate = std::make_shared<Plate>(scene_.shown, shown.colors(), showsWindow() && isSame && !noisy);
+  if (!options_.overlays || moves)
+    plate->clearBackground();
   else if (!frame_->isWindow())
     note("text, axes and widgets of the program are enlarged from the window's pixels");
+  plate_ = plate;
+  if (moves) memory.moved = plate;
 }
 
 /// The part of a batch's snapshot that lies in `part`, over what the canvas has.
@@ -186,18 +195,24 @@ scene::Snapshot Shot::partOf(const Placed& placed, const scene::Region& part, co
   return s;
 }
 
+/// The finished image; valid as long as `images`.
+const Image& Shot::traced(const scene::Snapshot& s, std::optional<frame::TracedImages>& images) const {
+  images.emplace(frame::Tracer{
+      .trace = [this](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                      std::string& error) { return renderer_.render(snapshot, image, cost, error); }});
+  const auto made = images->imageOf(s, {.mayRepeat = false, .finished = true});
+  if (!made.cached) throw std::runtime_error("it cannot be traced: " + made.why);
+  return made.cached->image;
+}
+
 void Shot::draw(Placed& placed, const scene::Region& band, Canvas& canvas) const {
   for (const scene::Region& box : placed.cleared) canvas.clearDepth(box);
   const scene::Region part = common(placed.snapshot.region, band);
   if (isEmpty(part)) return;
   scene::Snapshot s = partOf(placed, part, canvas);
   if (canvas.isWide() && !isDrawn(s)) s.wideColors = true, s.limitedSamples = canvas.limits();
-  frame::TracedImages images(frame::Tracer{
-      .trace = [this](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
-                      std::string& error) { return renderer_.render(snapshot, image, cost, error); }});
-  const auto traced = images.imageOf(s, {.mayRepeat = false, .finished = true});
-  if (!traced.cached) throw std::runtime_error("it cannot be traced: " + traced.why);
-  const Image& image = traced.cached->image;
+  std::optional<frame::TracedImages> own;
+  const Image& image = options_.images ? options_.images(s) : traced(s, own);
   if (!s.layers) return canvas.add(image, placed.test, s.encodes);
   if (s.layers->of == Of::sums) return canvas.addSums(image);
   if (s.layers->of == Of::order) return canvas.addBlended(image, s.encodes);
@@ -216,7 +231,7 @@ Canvas Shot::drawn(const scene::Region& band, const Background& background, cons
   const scene::Region around =
       common({0, band.y - margin_, band.width, band.height + 2 * margin_}, {0, 0, size().x, size().y});
   std::vector<Color> under;
-  if (!plate_.empty()) {
+  if (!plate_->empty()) {
     under.reserve(static_cast<size_t>(around.width) * static_cast<size_t>(around.height));
     for (int y = 0; y < around.height; ++y)
       for (int x = 0; x < around.width; ++x)
@@ -231,7 +246,7 @@ Canvas Shot::drawn(const scene::Region& band, const Background& background, cons
 template <class Color, class Overlay>
 std::vector<Color> Shot::rowsOf(const scene::Region& band, const Canvas& canvas,
                                 const std::vector<Color>& colors, const Overlay& overlay) const {
-  const bool changes = plate_.hasOverlays() || showsWindow();
+  const bool changes = plate_->hasOverlays() || showsWindow();
   std::vector<Color> rows;
   rows.reserve(static_cast<size_t>(band.width) * static_cast<size_t>(band.height));
   for (int y = band.y + band.height - 1; y >= band.y; --y)
@@ -249,12 +264,12 @@ std::vector<uint32_t> Shot::band(int number) {
   const Canvas canvas = drawn<uint32_t>(
       band,
       [&](const glm::dvec2& place) {
-        return showsWindow() ? plate_.windowBackgroundAt(glm::ivec2(place)) : plate_.backgroundAt(place);
+        return showsWindow() ? plate_->windowBackgroundAt(glm::ivec2(place)) : plate_->backgroundAt(place);
       },
       [&](const scene::Region& region, const auto& under) { return Canvas(region, samples_, under); });
   return rowsOf(band, canvas, canvas.colors(), [&](const glm::dvec2& place, uint32_t color) {
-    const uint32_t over = plate_.overlayAt(place), pixel = over ? scene::blended(over, color) : color;
-    return showsWindow() ? plate_.roundedAsShown(glm::ivec2(place), pixel) : pixel;
+    const uint32_t over = plate_->overlayAt(place), pixel = over ? scene::blended(over, color) : color;
+    return showsWindow() ? plate_->roundedAsShown(glm::ivec2(place), pixel) : pixel;
   });
 }
 
@@ -263,14 +278,14 @@ std::vector<glm::vec4> Shot::wideBand(int number, Range range) {
   const Canvas canvas = drawn<glm::vec4>(
       band,
       [&](const glm::dvec2& place) {
-        return showsWindow() ? scene::wideOf(plate_.windowBackgroundAt(glm::ivec2(place)))
-                             : plate_.wideBackgroundAt(place);
+        return showsWindow() ? scene::wideOf(plate_->windowBackgroundAt(glm::ivec2(place)))
+                             : plate_->wideBackgroundAt(place);
       },
       [&](const scene::Region& region, const auto& under) {
         return Canvas(region, samples_, under, range == Range::limited);
       });
   return rowsOf(band, canvas, canvas.wideColors(), [&](const glm::dvec2& place, const glm::vec4& color) {
-    const glm::vec4 over = plate_.wideOverlayAt(place);
+    const glm::vec4 over = plate_->wideOverlayAt(place);
     return over.a > 0 ? scene::blended(over, color) : color;
   });
 }

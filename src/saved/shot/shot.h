@@ -1,5 +1,6 @@
 // Pictures of saved scenes, of any size: traced in bands, so that memory does not grow with them. One thread.
 #pragma once
+#include "frame/images/traced_images.h"
 #include "frame/tracing/renderer.h"
 #include "saved/scene/saved_scene.h"
 #include "saved/shot/canvas.h"
@@ -16,6 +17,13 @@
 
 namespace gluray::saved {
 
+/// What pictures of one scene with one look know of its window: those that follow each other need not find it
+/// out again. Used by one thread at a time.
+struct WindowMemory {
+  std::shared_ptr<const Plate> moved;  // of cameras other than the saved view's; null: not known yet
+  bool exposed = false;                // the renderer knows the exposures of the saved view
+};
+
 struct ShotOptions {
   static constexpr int kLargestSide = 32768;  // pixels
   glm::ivec2 size{0};                         // pixels; {0, 0}: that of the window
@@ -30,6 +38,11 @@ struct ShotOptions {
   std::function<Settings(const Settings&)> settings;
   int edgeSamples = 1;       // per pixel, at least, in pictures of other sizes than the window's
   int bandPixels = 1 << 21;  // traced together; some 68 bytes each while light is refined
+  /// Makes the image of a snapshot, valid until the next call, in place of the finished one that the renderer
+  /// traces; empty: that. May throw.
+  std::function<const Image&(const scene::Snapshot&)> images;
+  std::shared_ptr<WindowMemory> window;  // null: of this picture alone
+  uint64_t look = 1;  // equal in pictures of equal settings that one renderer makes: they have one exposure
 
   /// Whether the camera is another one than the saved view's.
   bool movesCamera() const { return turn != 0 || (camera && !(*camera == known->camera)); }
@@ -40,6 +53,7 @@ class Shot {
   /// A batch as the picture shows it.
   struct Placed {
     scene::Snapshot snapshot;
+    scene::SnapshotPtr saved;  // as the scene has it
     DepthTest test;
     std::vector<scene::Region> cleared;  // pixels of the picture
     // Of layers: depths of opaque surfaces that the real OpenGL drew in the window, one per pixel of
@@ -73,16 +87,25 @@ class Shot {
   scene::Region regionOf(int band) const;
   /// All batches, in the order of drawing.
   const std::vector<Placed>& placed() const { return placed_; }
+  /// Whether a snapshot that is traced shows the window with the settings that the program had, which are not
+  /// those of the picture.
+  static bool isOfProgram(const scene::Snapshot& s) { return (s.view & kProgramView) != 0; }
   /// What is not as in the program; a line each.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
+  // Of the numbers of views as the program showed them: one exposure holds for all bands, and all turns, of a
+  // picture, whatever exposure the program had.
+  static constexpr uint64_t kProgramView = uint64_t{1} << 63;
+
   void look();
   std::vector<scene::SnapshotPtr> views() const;
   Placed placedIn(const ShotFrame& frame, const SavedBatch& batch) const;
   void place(const SavedBatch& batch);
   void lookAtWindow();
-  Canvas windowOf(const std::vector<SavedBatch>& batches, uint64_t view);
+  enum class WindowLook : bool { picture, program };
+  Canvas windowOf(const std::vector<SavedBatch>& batches, WindowLook look);
+  const Image& traced(const scene::Snapshot& s, std::optional<frame::TracedImages>& images) const;
   void draw(Placed& placed, const scene::Region& band, Canvas& canvas) const;
   scene::Snapshot partOf(const Placed& placed, const scene::Region& part, const Canvas& canvas) const;
   /// Draws a band. `start` makes the canvas of a region and what stands behind surfaces there; `background`
@@ -105,7 +128,7 @@ class Shot {
   std::unique_ptr<ShotFrame> frame_;
   frame::Renderer& renderer_;
   std::vector<Placed> placed_;
-  Plate plate_;
+  std::shared_ptr<const Plate> plate_;  // never null
   int bandRows_ = 0, margin_ = 0, samples_ = 1;
   std::vector<std::string> notes_;
 };
