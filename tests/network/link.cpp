@@ -10,6 +10,7 @@
 #include "tests/network/cables.h"
 #include "tests/network/taps.h"
 
+#include <sched.h>
 #include <sys/prctl.h>
 
 #include <cerrno>
@@ -101,6 +102,10 @@ void work(const network::Taps& taps, Cables& cables) {
 int main(int argc, char** argv) {
   try {
     prctl(PR_SET_TIMERSLACK, 1);  // ns
+    // Networks do not wait for cores that programs use.
+    sched_param first{};
+    first.sched_priority = 1;
+    sched_setscheduler(0, SCHED_RR, &first);
     const network::Taps taps(std::vector<std::string>(argv + 1, argv + argc));
     Cables cables(taps.count());
     std::printf("ready\n"), std::fflush(stdout);
