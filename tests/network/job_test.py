@@ -39,6 +39,14 @@ class OpenMpi(Case):
     def test_three_hosts_with_occlusion(self):
         self.check_job(3, options=LIGHT)
 
+    def test_a_host_without_a_rank(self):
+        """Programs there trace by themselves and say so: they reach workers of their own host alone."""
+        net = self.network(3)
+        self.hosts_job(net, 2)
+        process, said = self.drawing(net, 2)
+        self.assertEqual([self.frame(process) for _ in range(FRAMES)], self.images(FRAMES))
+        self.assertEqual(said.read_text(), "gluray: workers = test: no gluray-worker --job test runs on this machine; this process traces in the meantime\n")
+
     def test_delays(self):
         for microseconds in (20, 200, 2000):
             with self.subTest(microseconds=microseconds):
