@@ -10,13 +10,15 @@ The Wavelet's isosurfaces, 1024x1024, an orbit of one degree a frame. Needs no d
   peers       ambient occlusion with four rays a pixel across the ranks of a sort-last program: slabs, all in one process. NAME.json
   simulation  measures tiles, the head's work and messages, then SIMULATES the job's protocol on 1 to 1024 ranks. NAME_simulated.json
   figure      docs/scaling.svg from the results
+  network     (--network) part 'image' between hosts of this machine with networks of their own, over a switch that delays and limits; takes
+              root. The hosts share this machine's cores: what the network costs, no scaling. NAME_network.json
 """
 import json
 import pathlib
 import shlex
 import tempfile
 
-from scale import figure, simulation, worker_jobs
+from scale import figure, network_jobs, simulation, worker_jobs
 from scale.links import links
 from suites.light import figures_of
 from support import machine, programs
@@ -25,6 +27,8 @@ from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PARTS = ("image", "pages", "peers", "simulation", "figure")
+NETWORKS = ((20, 10000), (200, 10000), (2000, 10000), (20, 1000), (20, 100))  # microseconds each way, Mbit/s
+NETWORK_RANKS, NETWORK_LOOKS = (2, 3), ("local", "moving")
 LOOKS = {"local": 0, "occlusion": 16}  # rays of ambient occlusion a pixel
 IMAGE_LOOKS = {**LOOKS, "moving": 16}
 LINK_RUNS = 8  # of which the least times count: other processes of the machine disturb the others
@@ -37,6 +41,7 @@ def arguments(argv):
     parser.add_argument("--ranks", default="1,2,4,8", help="numbers of ranks that are measured (1,2,4,8)")
     parser.add_argument("--parts", default=",".join(PARTS), help=f"which parts ({','.join(PARTS)})")
     parser.add_argument("--figure", action="store_true", help="--parts figure")
+    parser.add_argument("--network", action="store_true", help="--parts network, which is not among those that are the default")
     parser.add_argument("--frames", type=int, default=7, help="that count (7); of the part 'image' four times as many in the local look")
     parser.add_argument("--pages", default="16:2:700M,64:4:1200M", help="of the part 'pages', with commas between: millions of triangles, "
                         "ranks, memory of each (16:2:700M,64:4:1200M)")
@@ -45,8 +50,8 @@ def arguments(argv):
     parser.add_argument("--name", default="scale", help="name of the result files")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
     options = parser.parse_args(argv)
-    options.parts = ["figure"] if options.figure else options.parts.split(",")
-    if unknown := set(options.parts) - set(PARTS):
+    options.parts = ["figure"] if options.figure else ["network"] if options.network else options.parts.split(",")
+    if unknown := set(options.parts) - {*PARTS, "network"}:
         parser.error(f"no part {', '.join(sorted(unknown))}")
     return options
 
@@ -98,6 +103,30 @@ def measure_image(options):
         for look in IMAGE_LOOKS:
             for ranks in map(int, options.ranks.split(",")):
                 yield image_rows(options, millions, look, ranks)
+
+
+def network_row(options, millions, look, ranks, delay_us, megabits):
+    """A job of one rank, and one with a rank on each host, which took turns."""
+    worker = options.build / "apps" / "gluray" / "gluray-worker"
+    link = options.build / "tests" / "network" / "network_link"
+    programs.require(worker, link, network_jobs.LAUNCHER)
+    moving = ["--moving"] if look == "moving" else []
+    with network_jobs.Hosts(link, worker, ranks, delay_us, 1e6 * megabits) as hosts:
+        round_trip, before = hosts.round_trip_us(), hosts.net.bytes()
+        figures = figures_of(said_by([program(options, "gluray-bench-image"), "--triangles", millions, "--samples", IMAGE_LOOKS[look], "--frames",
+                                      options.frames, "--without-local", *moving, *hosts.jobs()], {"GLURAY_RUNTIME": hosts.runtime()}))
+        crossed = hosts.net.crossed(before)
+    return {"path": "network", "millions": millions, "look": look, "ranks": ranks, "delay_us": delay_us, "megabits": megabits,
+            "round_trip_us": round_trip, "frames_per_second": 1000 / figures["many.frame_ms"], "frame_ms": figures["many.frame_ms"],
+            "one_rank_frame_ms": figures["one.frame_ms"], "first_ms": figures["many.first_ms"], "max_over_mean": figures["many.max_over_mean"],
+            "megabytes_crossed": crossed / 1e6, "same_picture": int(figures["one.checksum"] == figures["many.checksum"])}
+
+
+def measure_network(options):
+    for look in NETWORK_LOOKS:
+        for ranks in NETWORK_RANKS:
+            for delay_us, megabits in NETWORKS:
+                yield network_row(options, float(options.sizes.split(",")[0]), look, ranks, delay_us, megabits)
 
 
 def paged_row(options, millions, look, ranks, memory):
@@ -226,6 +255,8 @@ def draw(options):
 def run(options, argv):
     if "image" in options.parts:
         run_rows(options, argv, "image", f"{options.name}_image", measure_image(options), ("millions", "look", "ranks", "path"))
+    if "network" in options.parts:
+        run_rows(options, argv, "network", f"{options.name}_network", measure_network(options), ("look", "ranks", "delay_us", "megabits"))
     if "pages" in options.parts:
         run_rows(options, argv, "pages", f"{options.name}_pages", measure_pages(options), ("millions", "look", "ranks", "path"))
     if "peers" in options.parts:

@@ -19,7 +19,7 @@ if [ -e "$PLACE/fails/$name-$1" ]; then exit "$(cat "$PLACE/fails/$name-$1")"; f
 """
 ADDRESS = ["build asan address_suites", "ctest build/asan ^(unit|variant|link|fuzz)$"]
 THREAD = ["build tsan thread_suites", "ctest build/tsan ^thread$"]
-RELEASE = ["build release release_suites", "ctest build/release not ^(long|package|piglit|program)$"]
+RELEASE = ["build release release_suites", "ctest build/release not ^(long|network|package|piglit|program)$"]
 LONG_ADDRESS = ["build asan address_suites", "ctest build/asan ^(unit|variant|link|fuzz|long)$"]
 
 
@@ -77,6 +77,15 @@ class Steps(unittest.TestCase):
         for options in (["trixie"], ["trixie", "--sanitizers"]):
             made, done = self.run_with("scripts/test", "--root", *options)
             self.assertEqual((done.returncode, made), (0, [f"root {' '.join(options)}"]))
+
+    @unittest.skipIf(os.getuid() != 0, "it takes root")
+    def test_a_network(self):
+        self.check(["scripts/test", "--network"], ["setup", "format --check", "build release network_suites", "ctest build/release ^network$"])
+
+    def test_a_network_without_root(self):
+        lower = ["setpriv", "--reuid=65534", "--clear-groups"] if os.getuid() == 0 else []
+        done = subprocess.run([*lower, ROOT / "scripts/test", "--network"], capture_output=True, text=True, timeout=60)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (77, "test: skipped: hosts with networks of their own need root\n", ""))
 
     def test_the_first_failure_ends_it(self):
         for failing, code, last in (("setup-", 1, "setup"), ("format---check", 1, "format --check"), ("build-asan", 3, ADDRESS[0]),

@@ -27,9 +27,10 @@ def run(*words):
 class Machine:
     """A process with namespaces of its own."""
 
-    def __init__(self, name):
-        self.process = subprocess.Popen(["unshare", "--net", "--uts", "--ipc", "--mount", "--pid", "--fork", "--kill-child", "--mount-proc", "sh", "-c", INIT, name],
-                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    def __init__(self, name, init=INIT, *arguments):
+        """`init`: what its process 1 does as a shell script, with `name` as $0 and the arguments."""
+        self.process = subprocess.Popen(["unshare", "--net", "--uts", "--ipc", "--mount", "--pid", "--fork", "--kill-child", "--mount-proc", "sh", "-c", init, name,
+                                         *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
         if self.process.stdout.readline() != "ready\n":
             raise RuntimeError(f"host {name} does not start")
         number = self.process.pid
@@ -47,10 +48,11 @@ class Machine:
 
 
 class Host(Machine):
-    def __init__(self, number, folder):
-        super().__init__(f"host{number}")
+    def __init__(self, number, folder, runtimes, *machine):
+        """`runtimes`: where its runtime directory is; `machine`: further arguments of Machine."""
+        super().__init__(f"host{number}", *machine)
         self.address = f"{NET}.{number + 1}"
-        self.runtime = folder / f"run{number}"
+        self.runtime = runtimes / f"run{number}"
         (folder / f"{self.address}.init").write_text(str(self.init))
         (folder / f"{self.address}.runtime").write_text(str(self.runtime))
 
@@ -73,10 +75,14 @@ class Host(Machine):
 class Network:
     """Hosts host0, host1 ... and their switch. `folder`: for files of theirs."""
 
+    device = "bridge0"  # the switch's own interface
+
     def __init__(self, count, folder):
         self.machines = []
+        self.runtimes = folder  # each host has its runtime directory there
         try:
             self.start(count, folder)
+            self.launch_by(folder)
         except BaseException:
             self.end()
             raise
@@ -89,7 +95,7 @@ class Network:
         run(*self.switch.inside("ip", "address", "add", f"{NET}.254/24", "dev", "bridge0"))
         self.hosts = []
         for number in range(count):
-            host = Host(number, folder)
+            host = Host(number, folder, self.runtimes)
             self.machines.append(host)
             self.hosts.append(host)
             run(*self.switch.inside("ip", "link", "add", f"port{number}", "type", "veth", "peer", "name", "cable"))
@@ -97,6 +103,9 @@ class Network:
             run(*self.switch.inside("ip", "link", "set", f"port{number}", "master", "bridge0", "up"))
             run(*host.inside("ip", "address", "add", f"{host.address}/24", "dev", "cable"))
             run(*host.inside("ip", "link", "set", "cable", "up"))
+
+    def launch_by(self, folder):
+        """Writes what launchers enter hosts with."""
         agent = folder / "agent"
         agent.write_text(f'#!/bin/sh\nhost=$1; shift\nexec nsenter -t "$(cat {folder}/$host.init)" -n -u -m -p -i '
                          f'env GLURAY_RUNTIME="$(cat {folder}/$host.runtime)" sh -c "$*"\n')
@@ -105,16 +114,16 @@ class Network:
 
     def mpiexec(self, count, *words):
         """As mpirun(), by MPICH. It gives its own environment to the hosts."""
-        own = f'export GLURAY_RUNTIME={self.agent.parent}/run$(hostname | tr -d a-z); exec "$@"'
+        own = f'export GLURAY_RUNTIME={self.runtimes}/run$(hostname | tr -d a-z); exec "$@"'
         return ["nsenter", "-t", str(self.switch.init), "-n", "-u", "mpiexec.mpich", "-launcher", "rsh", "-launcher-exec", str(self.agent),
-                "-iface", "bridge0", "-hosts", ",".join(host.address for host in self.hosts[:count]), "-ppn", "1", "-n", str(count),
+                "-iface", self.device, "-hosts", ",".join(host.address for host in self.hosts[:count]), "-ppn", "1", "-n", str(count),
                 "sh", "-c", own, "sh", *words]
 
     def mpirun(self, count, *words):
         """A command line that runs `words` on the first `count` hosts, once on each, by Open MPI at the switch, as on a login node."""
         net = f"{NET}.0/24"
         choices = {"btl": "tcp,self", "pml": "ob1", "btl_tcp_if_include": net, "oob_tcp_if_include": net, "plm_rsh_agent": self.agent,
-                   "orte_tmpdir_base": self.agent.parent, "hwloc_base_binding_policy": "none"}
+                   "orte_tmpdir_base": self.runtimes, "hwloc_base_binding_policy": "none"}
         addresses = ",".join(host.address for host in self.hosts[:count])
         return ["nsenter", "-t", str(self.switch.init), "-n", "-u", "mpirun.openmpi", "--allow-run-as-root", "--host", addresses, "-n", str(count),
                 *(str(word) for name, value in choices.items() for word in ("--mca", name, value)), *words]

@@ -1,4 +1,4 @@
-"""A plane and spheres, which ParaView splits among its ranks: sort_last.py IMAGE.png [PORT | orbit], run by pvbatch, or by pvpython as the client
+"""A plane and spheres, which ParaView splits among its ranks: sort_last.py IMAGE.png [[HOST:]PORT | orbit], run by pvbatch, or by pvpython as the client
 of the pvserver at that port, which renders. orbit: the image is the last one of an animation in which the camera turns."""
 import sys
 
@@ -7,7 +7,8 @@ import paraview.simple as pv
 pv._DisableFirstRenderCameraReset()
 orbits = sys.argv[2:] == ["orbit"]
 if len(sys.argv) > 2 and not orbits:
-    pv.Connect("127.0.0.1", int(sys.argv[2]))
+    host, _, port = sys.argv[2].rpartition(":")
+    pv.Connect(host or "127.0.0.1", int(port))
     pv.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0  # MB from which on the server renders
 view = pv.CreateView("RenderView")
 view.ViewSize = [300, 240]

@@ -88,6 +88,19 @@ class Workers(Jobs):
         self.assertTrue(wait_for(lambda: log.read_text().count("is connected") > 1), log.read_text())
         self.check_goes_on(painter)
 
+    def test_a_worker_that_is_stopped_and_then_killed(self):
+        """One line: that it is lost."""
+        job, _ = self.job()
+        painter, said = self.painter()
+        self.check_goes_on(painter)
+        job.send_signal(signal.SIGSTOP)
+        self.check_goes_on(painter)
+        self.assertTrue(wait_for(lambda: "does not answer" in said.read_text()), said.read_text())
+        self.kill(job)
+        time.sleep(2)  # it looks for a worker each second
+        self.check_goes_on(painter)
+        self.assertEqual(said.read_text().count("\n"), 1, said.read_text())
+
     def test_a_rank_that_is_stopped(self):
         job, log = self.job(*self.openmpi())
         painter, said = self.painter()

@@ -41,15 +41,16 @@ void RemoteTracer::shown(const scene::Snapshot& snapshot, const Image& image, bo
   try {
     const std::lock_guard lock(mutex_);
     if (!link_.isGathered(snapshot) || link_.isMadeElsewhere(snapshot)) return;
-    if (!link_.show(snapshot, image, finished)) link_.disconnect("the worker is gone", nowSeconds());
+    if (!link_.show(snapshot, image, finished)) link_.lose("the worker is gone", nowSeconds());
   } catch (const std::exception& why) {  // the other ranks trace their parts
     say_(std::string("the other ranks do not get the image: ") + why.what());
   }
 }
 
-void RemoteTracer::tell(const std::string& why) {
-  if (why == told_ && !traced_) return;
-  told_ = why;
+void RemoteTracer::tell(const std::string& why, bool isAway) {
+  // A worker that was lost may first be silent, and then no longer run.
+  if (!traced_ && (why == told_ || (isAway && toldOfLoss_))) return;
+  told_ = why, toldOfLoss_ = isAway && traced_;
   traced_ = false;
   say_("workers = " + job_ + ": " + why + "; this process traces in the meantime");
 }
@@ -136,11 +137,11 @@ RemoteTracer::Result RemoteTracer::byWorkers(const scene::Snapshot& snapshot, Im
                                              scene::TraceCost& cost, std::string& error,
                                              const std::function<bool()>& stop) {
   const double now = nowSeconds();
-  if (!link_.isReady(now)) return tell(link_.why()), Result::nobody;
+  if (!link_.isReady(now)) return tell(link_.why(), link_.isAway()), Result::nobody;
   try {
     if (!link_.ask(snapshot, image.missColor)) {
-      link_.disconnect("the worker is gone", now);
-      return tell(link_.why()), Result::nobody;
+      link_.lose("the worker is gone", now);
+      return tell(link_.why(), link_.isAway()), Result::nobody;
     }
     const Result result = receive(snapshot, image, cost, error, stop);
     if (result == Result::done) traced_ = true;
@@ -161,8 +162,8 @@ RemoteTracer::Result RemoteTracer::receive(const scene::Snapshot& snapshot, Imag
       case WorkerLink::Came::nothing:
       case WorkerLink::Came::sign: continue;
       case WorkerLink::Came::failure:
-        link_.disconnect("the worker does not answer", nowSeconds());
-        return tell(link_.why()), Result::nobody;
+        link_.lose("the worker does not answer", nowSeconds());
+        return tell(link_.why(), link_.isAway()), Result::nobody;
       case WorkerLink::Came::image: break;
     }
     const ImageDone& done = link_.done();

@@ -42,7 +42,8 @@ class RemoteTracer {
                    const std::function<bool()>& stop);
   Result receive(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                  const std::function<bool()>& stop);
-  void tell(const std::string& why);
+  /// `isAway`: because no worker runs or answers.
+  void tell(const std::string& why, bool isAway = false);
   bool traceAll(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                 const std::function<bool()>& stop) noexcept;
   /// Whether trace() omits ground and background.
@@ -56,9 +57,10 @@ class RemoteTracer {
   std::atomic<int> wanted_{0};  // priority calls that wait or trace
   std::atomic<bool> improves_{false};
   WorkerLink link_;
-  bool traced_ = false;   // the last image came from workers
-  std::string told_;      // why the one before did not
-  std::string toldNote_;  // ImageDone::note
+  bool traced_ = false;      // the last image came from workers
+  std::string told_;         // why the one before did not
+  bool toldOfLoss_ = false;  // that a worker that traced was lost
+  std::string toldNote_;     // ImageDone::note
   std::atomic<bool> toldOfScenery_{false};
 };
 

@@ -92,7 +92,13 @@ void WorkerLink::disconnect(std::string why, double now) {
   sent_.clear();
   memory_.reset();
   why_ = std::move(why);
+  isAway_ = false;
   nextTry_ = now + kTryAgain;
+}
+
+void WorkerLink::lose(std::string why, double now) {
+  disconnect(std::move(why), now);
+  isAway_ = true;
 }
 
 bool WorkerLink::isReady(double now) {
@@ -104,14 +110,14 @@ bool WorkerLink::isReady(double now) {
 
 bool WorkerLink::connect(double now) {
   nextTry_ = now + kTryAgain;
-  if (std::optional<Line> line = lineToWorker(directory_, job_, place_.onMachine, why_))
+  if (std::optional<Line> line = lineToWorker(directory_, job_, place_.onMachine, why_, &isAway_))
     line_.emplace(*std::move(line));
   else
     return false;
   const Hello hello{
       version(),   program_invocation_short_name, static_cast<int32_t>(getpid()), place_.job, place_.rank,
       place_.ranks};
-  if (!send(hello)) return disconnect("the worker is gone", now), false;
+  if (!send(hello)) return lose("the worker is gone", now), false;
   helloAt_ = now;
   return true;
 }
@@ -119,10 +125,11 @@ bool WorkerLink::connect(double now) {
 bool WorkerLink::greet(int timeoutMs, double now) {
   try {
     const std::optional<Message> message = line_->receive(timeoutMs);
-    if (!message && line_->isBroken()) return disconnect("the worker is gone", now), false;
+    if (!message && line_->isBroken()) return lose("the worker is gone", now), false;
     if (!message) {
       why_ = "the worker does not answer";
-      if (now - helloAt_ > kWelcomePatience) disconnect(why_, now);
+      isAway_ = true;
+      if (now - helloAt_ > kWelcomePatience) lose(why_, now);
       return false;
     }
     if (message->type != Welcome::kType) throw Malformed("it is no welcome");

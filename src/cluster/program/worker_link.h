@@ -29,6 +29,8 @@ class WorkerLink {
   /// reason. The first attempt waits for the worker's welcome, later ones do not.
   bool isReady(double now);
   const std::string& why() const { return why_; }
+  /// Whether why() is that no worker runs or answers.
+  bool isAway() const { return isAway_; }
   int ranks() const { return ranks_; }
 
   /// Whether images of the snapshot are independent of the program's other ranks, whose surfaces may belong
@@ -55,6 +57,8 @@ class WorkerLink {
   const std::byte* pixels() const { return memory_.get(); }
   void cancel();
   void disconnect(std::string why, double now);
+  /// Disconnects from a worker that is gone or does not answer.
+  void lose(std::string why, double now);
 
  private:
   bool connect(double now);
@@ -67,7 +71,7 @@ class WorkerLink {
   const std::string directory_, job_;
   const MpiPlace place_;
   std::optional<Line> line_;
-  bool welcome_ = false, everTried_ = false;
+  bool welcome_ = false, everTried_ = false, isAway_ = false;
   double nextTry_ = 0, lastSign_ = 0, helloAt_ = 0;
   std::string why_;
   int ranks_ = 1;

@@ -26,7 +26,8 @@ std::string whyNoJobName(const std::string& job) {
 }
 
 std::optional<Line> lineToWorker(const std::string& directory, const std::string& job, int onMachine,
-                                 std::string& why) {
+                                 std::string& why, bool* isNobody) {
+  if (isNobody) *isNobody = false;
   if (why = whyNoJobName(job); !why.empty()) return std::nullopt;
   std::error_code error;
   if (std::filesystem::exists(directory, error))
@@ -38,6 +39,7 @@ std::optional<Line> lineToWorker(const std::string& directory, const std::string
         control::connectedSocket(directory + "/" + workerPlace(job, place) + ".sock", why, nobody);
     if (socket.get() >= 0) return std::make_optional<Line>(std::move(socket));
   }
+  if (isNobody) *isNobody = nobody;
   if (nobody) why = "no gluray-worker --job " + job + " runs on this machine";
   return std::nullopt;
 }

@@ -12,8 +12,9 @@ std::string workerPlace(const std::string& job, int place);
 /// Reason why a job name is invalid; empty: valid.
 std::string whyNoJobName(const std::string& job);
 /// Connects to the worker of the job whose socket is in `directory`; if there are several, to the one at
-/// `onMachine`. None on failure, with the reason and a remedy in one line in `why`.
+/// `onMachine`. None on failure, with the reason and a remedy in one line in `why`; `isNobody`: because none
+/// runs.
 std::optional<Line> lineToWorker(const std::string& directory, const std::string& job, int onMachine,
-                                 std::string& why);
+                                 std::string& why, bool* isNobody = nullptr);
 
 }  // namespace gluray::cluster

@@ -1,6 +1,8 @@
 #include "cluster/worker/head.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace gluray::cluster {
@@ -199,6 +201,7 @@ void Head::finish(ConnectedProgram& program, double now) {
 }
 
 void Head::tick(double now) {
+  states_.tick(now);
   for (ConnectedProgram& program : programs_) {
     if (program.image && lacksParts(program)) {
       end(program);
@@ -212,11 +215,11 @@ void Head::tick(double now) {
     bool passedOn = false;
     for (int rank = 0; rank < ranks_.size(); ++rank) {
       if (!image.takesPart(rank) || !states_.isOverdue(rank, now)) continue;
-      leaveOut(rank);
+      leaveOut(rank, now);
       image.drop(rank);
       passedOn = true;
     }
-    for (const int rank : image.passOnSlow(now)) leaveOut(rank), passedOn = true;
+    for (const int rank : image.passOnSlow(now)) leaveOut(rank, now), passedOn = true;
     if (passedOn) goOn(program, now);
     if (!image.error().empty()) finish(program, now);
   }
@@ -229,10 +232,12 @@ void Head::sayAtWork(ConnectedProgram& program, double now) {
   if (program.peer) peers_.gatherer(program.peer).atWork(now);
 }
 
-void Head::leaveOut(int rank) {
+void Head::leaveOut(int rank, double now) {
   if (rank == states_.self() || states_.isLate(rank)) return;
-  states_.setLate(rank);
-  say_("rank " + std::to_string(rank) + " does not answer; the others trace its part until it does");
+  const double rest = states_.setLate(rank, now);
+  const std::string again = rest > 0 ? "for " + std::to_string(std::lround(rest)) + " s, and " : "";
+  say_("rank " + std::to_string(rank) + " does not answer; the others trace its part " + again +
+       "until it does");
 }
 
 }  // namespace gluray::cluster

@@ -100,7 +100,7 @@ class Head {
   void giveShown(ConnectedProgram& program);
   void takeShown(ConnectedProgram& program, const ImageShown& shown, const control::Descriptor& memory);
   void sayAtWork(ConnectedProgram& program, double now);
-  void leaveOut(int rank);
+  void leaveOut(int rank, double now);
   void leave(ConnectedProgram& program, double now);
   ConnectedProgram* programOf(uint64_t image);
 

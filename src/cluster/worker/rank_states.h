@@ -2,6 +2,7 @@
 #pragma once
 #include "cluster/shares/tile_shares.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace gluray::cluster {
@@ -14,11 +15,28 @@ class RankStates {
   }
 
   /// A result came from the rank, or it has caught up with the broadcasts.
-  void heard(int rank, double now) { at(rank).heard = now, at(rank).late = false; }
+  void heard(int rank, double now) {
+    at(rank).heard = now, at(rank).isBack = true;
+    tick(now);
+  }
+  /// Includes ranks that are back and whose rest is over.
+  void tick(double now) {
+    for (State& state : states_)
+      if (state.late && state.isBack && now >= state.restsUntil) state.late = false, state.included = now;
+  }
   /// A sign of life of the rank.
   void isThere(int rank, double now) { at(rank).heard = now; }
-  /// Excludes the rank until it is heard.
-  void setLate(int rank) { at(rank).late = true; }
+  /// Excludes the rank until it is heard, and where it was included a short time ago, for a rest that doubles
+  /// each time: images that wait for a rank whose network is too slow take longer than without it. Returns
+  /// the rest, in seconds.
+  double setLate(int rank, double now) {
+    State& state = at(rank);
+    const bool again = state.included > 0 && now - state.included < kSoon;
+    state.rest = again ? std::clamp(2 * state.rest, kFirstRest, kLongestRest) : 0;
+    state.restsUntil = now + state.rest;
+    state.late = true, state.isBack = false;
+    return state.rest;
+  }
   void setThreads(int rank, int threads) { at(rank).threads = threads; }
   /// A request was sent to a rank that had no open requests.
   void asked(int rank, double now) { at(rank).heard = now; }
@@ -46,11 +64,14 @@ class RankStates {
   }
 
  private:
-  static constexpr double kPatience = 1;  // seconds; ranks that work on an image say so more often
+  // Seconds. Ranks that work on an image say so more often than kPatience.
+  static constexpr double kPatience = 1, kSoon = 10, kFirstRest = 2, kLongestRest = 32;
   struct State {
     int threads = 1;
     double heard = 0;
-    bool late = false;
+    bool late = false, isBack = false;
+    double rest = 0, restsUntil = 0;  // since it was late last
+    double included = 0;              // again, after it was late; 0: never late
   };
   State& at(int rank) { return states_[static_cast<size_t>(rank)]; }
 
