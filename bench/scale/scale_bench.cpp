@@ -3,6 +3,7 @@
 // figure.
 #include "bench/data/report.h"
 #include "bench/scale/all_queries.h"
+#include "bench/scale/composed_error.h"
 #include "bench/scale/counting_ranks.h"
 #include "bench/scale/cpu_seconds.h"
 #include "bench/scale/parts.h"
@@ -209,20 +210,6 @@ void print(const Figures& f) {
   print("gathered_differing_pixels", f.gatheredWrong);
 }
 
-/// Root of the mean square of the differences of red, 0 .. 255, over pixels that show surfaces.
-double errorOf(const std::list<const Image*>& parts, const Image& truth) {
-  double sum = 0, count = 0;
-  for (size_t i = 0; i < truth.depth.size(); ++i) {
-    if (truth.depth[i] == Image::kMiss) continue;
-    const Image* front = parts.front();
-    for (const Image* part : parts)
-      if (part->depth[i] < front->depth[i]) front = part;
-    const double d = static_cast<double>(front->color[i] & 255) - static_cast<double>(truth.color[i] & 255);
-    sum += d * d, ++count;
-  }
-  return std::sqrt(sum / count);
-}
-
 /// Frames of an animation after each other, by all ranks and by one process; the last one's noise.
 void animate(const Options& options, std::list<Rank>& ranks, frame::Renderer& renderer,
              scene::Snapshot& whole) {
@@ -257,7 +244,8 @@ void animate(const Options& options, std::list<Rank>& ranks, frame::Renderer& re
       print("moving_occlusion_cpu_ms", bench::median(togetherCpu));
   print("one_process_moving_occlusion_ms", bench::median(one));
   print("one_process_moving_occlusion_cpu_ms", bench::median(oneCpu));
-  print("moving_error", errorOf(parts, image)), print("one_process_moving_error", errorOf({&moving}, image));
+  print("moving_error", bench::errorOf(parts, image)),
+      print("one_process_moving_error", bench::errorOf({&moving}, image));
 }
 
 void run(const Options& options) {

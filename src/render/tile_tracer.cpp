@@ -8,7 +8,7 @@
 #include "render/integrators/integrator.h"
 #include "render/kernels/kernels.h"
 #include "render/moving/hit_buffer.h"
-#include "render/remote/drawn_part.h"
+#include "render/remote/depths_first.h"
 #include "render/remote/remote_surfaces.h"
 #include "render/tiles/tile.h"
 #include "render/tiles/tile_source.h"

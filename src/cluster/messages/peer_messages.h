@@ -1,7 +1,7 @@
 // Occlusion queries between the ranks of a sort-last program (peers), sent between their workers. Any thread.
 #pragma once
 #include "cluster/messages/codec.h"
-#include "render/remote/drawn_part.h"
+#include "render/tiles/drawn_part.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>

@@ -1,7 +1,7 @@
 // Exchanges occlusion queries with peers for the images of one rank of a sort-last program. Tiles with
 // queries are traced twice: first to collect all queries, then with the answers. Messages arrive on the
 // worker's main thread; one thread traces, with the threads of its renderer. Before light, ranks tell each
-// other their depths, so that each pixel is lit by the rank whose surface is in front (adr/0125).
+// other their depths, so that each pixel is lit by the rank whose surface is in front (adr/0123).
 #pragma once
 #include "cluster/messages/peer_messages.h"
 #include "cluster/messages/program_messages.h"

@@ -1,6 +1,7 @@
 // PeerExchange on the tracing threads of one image.
 #include "base/clock.h"
 #include "cluster/peers/peer_exchange.h"
+#include "render/remote/depths_first.h"
 
 #include <tbb/parallel_for.h>
 

@@ -2,7 +2,7 @@
 // away from the viewer, packed. Any thread.
 #pragma once
 #include "base/image.h"
-#include "render/remote/drawn_part.h"
+#include "render/tiles/drawn_part.h"
 #include "render/tiles/hidden_pixels.h"
 
 #include <cstddef>

@@ -10,8 +10,8 @@
 #include "render/local/honest_look.h"
 #include "render/local/surface.h"
 #include "render/media/medium_lattice.h"
-#include "render/remote/drawn_part.h"
 #include "render/resolve/tone.h"
+#include "render/tiles/drawn_part.h"
 
 #include <array>
 #include <atomic>

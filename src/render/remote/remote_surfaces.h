@@ -5,7 +5,7 @@
 #include "accel/rays/occlusion.h"
 #include "accel/rays/ray_kind.h"
 #include "base/image.h"
-#include "render/remote/drawn_part.h"
+#include "render/tiles/drawn_part.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>

@@ -124,6 +124,20 @@ std::optional<DerivedCamera> derivedFrom(const std::vector<scene::SnapshotPtr>& 
 
 }  // namespace
 
+std::optional<glm::dmat4> eyeFromEven(const scene::Snapshot& batch) {
+  const auto isEvenIn = [&](const glm::dmat4& eyeFromSpace) {
+    const glm::dmat4 clipFromSpace = batch.camera.clipFromEye * eyeFromSpace;
+    const auto seen = seenCamera(clipFromSpace);
+    return seen && isEven(batch, clipFromSpace, *seen);
+  };
+  for (const scene::Instance& instance : batch.instances) {
+    if (instance.lightingFromObject == glm::mat4(1)) continue;
+    const glm::dmat4 own = instance.eyeFromObject * glm::inverse(glm::dmat4(instance.lightingFromObject));
+    if (!isSimilarity(glm::dmat3(own)) && isEvenIn(own)) return own;
+  }
+  return isEvenIn(glm::dmat4(1)) ? std::optional(glm::dmat4(1)) : std::nullopt;
+}
+
 std::optional<DerivedCamera> derivedCamera(const std::vector<scene::SnapshotPtr>& batches) {
   std::vector<scene::SnapshotPtr> largest = batches;
   const auto pixels = [](const scene::SnapshotPtr& s) {

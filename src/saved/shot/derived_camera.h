@@ -23,4 +23,9 @@ struct DerivedCamera {
 /// point lies on the line of sight, as deep as the middle of the surfaces. None: no surface has such a space.
 std::optional<DerivedCamera> derivedCamera(const std::vector<scene::SnapshotPtr>& batches);
 
+/// A space in which a batch's camera sees lengths and angles as they are: to eye space. It is eye space
+/// itself, or, where programs stretch that along its axes, as VTK stretches the coordinates of buffers, the
+/// space of a surface's lighting. None: neither is such a space.
+std::optional<glm::dmat4> eyeFromEven(const scene::Snapshot& batch);
+
 }  // namespace gluray::saved

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <utility>
 
 namespace gluray::saved {
@@ -93,6 +94,39 @@ TEST(TurnedView, TurnsNormalsOfScaledPositions) {
                   got = views[0]->instances[0].normalMatrix, wanted = turn * before;
   for (int i = 0; i < 3; ++i) EXPECT_LT(glm::length(got[i] - wanted[i]), 1e-5f);
   EXPECT_GT(glm::length(got[0] - before[0]), 0.1f);
+}
+
+/// The scene in an eye space that is stretched along its axes, as where programs have one matrix from the
+/// stretched coordinates of buffers to clip space.
+scene::Snapshot stretched(scene::Snapshot s) {
+  const glm::dmat4 by = glm::scale(glm::dmat4(1), {1.5, 0.7, 1.1});
+  s.camera.clipFromEye = s.camera.clipFromEye * glm::inverse(by);
+  s.eyeFromWorld = by * s.eyeFromWorld;
+  for (scene::Instance& instance : s.instances) instance.eyeFromObject = by * instance.eyeFromObject;
+  return s;
+}
+
+TEST(TurnedView, TurnsInSpacesThatAreNotStretched) {
+  scene::Snapshot s =
+      gluray::test::litView({gluray::test::ballMesh(40)}, gluray::test::Shader::phong, {0, 0, 1, 0});
+  s.eyeFromWorld = s.eyeFromWorld * glm::rotate(glm::dmat4(1), 0.4, glm::dvec3(1, 0.3, 0));
+  for (scene::Instance& instance : s.instances) {
+    instance.eyeFromObject = s.eyeFromWorld * glm::scale(glm::dmat4(1), {1, 0.6, 0.8});
+    instance.lightingFromObject = glm::mat4(instance.eyeFromObject);
+  }
+  const std::vector<uint32_t> wanted = pictureOf(sceneOf(s), {.turn = 70}),
+                              got = pictureOf(sceneOf(stretched(s)), {.turn = 70});
+  size_t differing = 0, shown = 0;
+  for (size_t i = 0; i < got.size(); ++i) differing += apart(got[i], wanted[i]) > 2, shown += wanted[i] != 0;
+  EXPECT_LT(differing, 8u);
+  EXPECT_GT(shown, 300u);
+}
+
+TEST(TurnedView, IsRefusedWhereOnlyStretchedSpacesAreKnown) {
+  scene::Snapshot s = balls(kSide, Floor::none);
+  for (scene::Instance& instance : s.instances) instance.lightingFromObject = glm::mat4(1);
+  EXPECT_NO_THROW(turned({std::make_shared<scene::Snapshot>(s)}, 70));
+  EXPECT_THROW(turned({std::make_shared<scene::Snapshot>(stretched(s))}, 70), std::runtime_error);
 }
 
 TEST(TurnedView, TurnsWhatLayBehindTheNearPlaneIntoView) {

@@ -1,4 +1,4 @@
-#include "render/remote/drawn_part.h"
+#include "render/remote/depths_first.h"
 
 #include "accel/world.h"
 #include "render/frame_data/frame_data.h"

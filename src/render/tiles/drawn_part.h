@@ -1,7 +1,6 @@
 // Where in a view a process draws surfaces, and how far away: other processes there may hide them, or be
 // hidden. Any thread.
 #pragma once
-#include "base/image.h"
 #include "render/tiles/tile.h"
 
 #include <glm/glm.hpp>
@@ -10,14 +9,11 @@
 
 namespace gluray::render {
 
-struct FrameData;
-
 /// Depths are order keys: window depths, or 1 - depth where the largest depth wins, so that the smallest key
 /// is the nearest.
 struct DrawnPart {
   glm::ivec4 region{0};  // x, y, width, height of the image in window pixels
-  glm::ivec4 tiles{
-      0};  // columns x .. z - 1 and rows y .. w - 1 of the image's tiles; empty: nothing is drawn
+  glm::ivec4 tiles{0};   // of the image: columns x .. z - 1, rows y .. w - 1; empty: nothing is drawn
   float nearest = 0, farthest = 0;
 
   bool empty() const { return tiles.x >= tiles.z || tiles.y >= tiles.w; }
@@ -33,17 +29,5 @@ struct DrawnPart {
   }
   bool operator==(const DrawnPart&) const = default;
 };
-
-/// A tile without surfaces, in the image.
-void clearTile(const Tile&, Image&);
-
-/// The part of the view with the frame's surfaces. Bounds are wider than necessary by rounding.
-DrawnPart drawnPart(const FrameData&);
-
-/// The smallest difference of depths that the framebuffer tells apart for sure.
-float depthStep(const FrameData&);
-
-/// Why the frame's pixels are lit before other processes tell their depths; null: they may wait for these.
-const char* reasonAgainstDepthsFirst(const FrameData&);
 
 }  // namespace gluray::render
