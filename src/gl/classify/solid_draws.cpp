@@ -140,6 +140,13 @@ glm::dmat4 eyeOf(const ProgramState& program) {
   return std::isfinite(glm::determinant(linear)) ? glm::dmat4(linear) : glm::dmat4(1);
 }
 
+/// Width of lines or size of points in pixels, as the program knows it; 0: it knows none.
+float pixelSizeOf(ShadowState& shadow) {
+  const ProgramState& program = shadow.program();
+  const auto width = static_cast<float>(shadow.viewport().box.z);
+  return program.lineSize > 0 ? 0.5f * program.lineSize * width : program.pixelSize;
+}
+
 }  // namespace
 
 void makeProgramSolid(ShadowState& shadow, scene::Instance& instance) {
@@ -147,7 +154,7 @@ void makeProgramSolid(ShadowState& shadow, scene::Instance& instance) {
   const glm::dmat4 eyeFromObject = eyeOf(program);
   scene::Impostors& look = instance.impostors;
   look = {};
-  setSize(shadow, instance.mesh->shape, eyeFromObject, program.pixelSize, look);
+  setSize(shadow, instance.mesh->shape, eyeFromObject, pixelSizeOf(shadow), look);
   look.parallelView = isParallel(program.clipFromObject);
   look.unlit = program.shading.fragment.model == scene::FragmentShading::Model::unlit;
   look.centerPlanes.assign(program.clipPlanes.begin(), program.clipPlanes.end());

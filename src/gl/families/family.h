@@ -194,6 +194,8 @@ struct Family {
   bool edgesAlone = false, edgesGrow = true;  // scene::FragmentShading
   std::string edgeViewport;     // uniform: x, y, width, height of the viewport that the shader assumes
   bool geometryShader = false;  // programs of the family have one
+  FamilyValue
+      lineSize;  // onlySolids: width of lines in normalised device coordinates, along x; none: glLineWidth
   FamilyImpostors impostors;
   bool clipCenters = false;  // clip planes remove whole impostors by their centres
   /// Uniform: least and greatest x, least and greatest y of drawn pixels; a function that must be the
@@ -208,6 +210,8 @@ struct Family {
   bool mentions(std::string_view name) const;
   /// Whether its shader programs take their vertices from fixed function's attributes (gl_Vertex ...).
   bool hasBuiltInVertices() const;
+  /// Whether its shader programs draw lines alone, though not always by primitives of lines.
+  bool drawsLines() const { return pulling.lines || lineSize.given(); }
   std::vector<SlotChoice> slotChoices() const;
   bool hasRim() const { return rimColor.given() || rimOpacity.given(); }
 };

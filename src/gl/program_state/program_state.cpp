@@ -88,6 +88,7 @@ Reason ProgramReader::readImpostors() {
   out_.pixelSize = f.given()          ? uniforms_.number(f.size, 0)
                    : ofPulled.empty() ? 0
                                       : uniforms_.number(ofPulled);
+  out_.lineSize = uniforms_.number(family_.lineSize, 0);
   if (!f.given()) return Reason::traced;
   out_.impostors.billboards = f.billboards;
   out_.impostors.fades = f.fades;
@@ -265,7 +266,7 @@ void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, Te
     chooseFamily(state);
   }
   if (state.known->family->onlySolids && !solids) {
-    state.reason = state.known->family->pulling.lines ? Reason::lines : Reason::program;
+    state.reason = state.known->family->drawsLines() ? Reason::lines : Reason::program;
     return;
   }
   if (!state.known->family->rasteriseBecause.empty()) {

@@ -35,6 +35,7 @@ struct ProgramState {
   scene::PolygonOffset depthOffset;
   scene::Impostors impostors;
   float pixelSize = 0;        // of points and lines that the program sizes in pixels; 0: not given
+  float lineSize = 0;         // width of lines in normalised device coordinates, along x; 0: not given
   glm::vec4 usedViewport{0};  // that the program computes tubes with, if it does so in pixels
   float impostorRadius = 1;   // if no array provides radii
   float impostorCaps = 0;

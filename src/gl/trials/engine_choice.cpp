@@ -6,22 +6,11 @@
 namespace gluray::gl {
 namespace {
 
-constexpr int kSettle = 4;                   // frames before measuring: lists are compiled, shaders built
-constexpr int kTrialSettle = 2;              // the same in a trial, which the user may notice
-constexpr int kTimes = 3;                    // frames measured; the fastest counts: noise only adds time
-constexpr int kAttempts = 32;                // frames of another load after which measuring stops
-constexpr int kWindow = 32;                  // frames over which the largest load is taken
-constexpr double kFaster = 0.87;             // change if the other way takes less than this share of the time
-constexpr double kOptimism = 0.6;            // lower limit of a cost now, as a share of its measurement
-constexpr double kSame = 1.5, kStays = 2.0;  // maximum ratio of loads of one kind, also until it is left
-constexpr double kShare = 0.01;              // of the real OpenGL's drawing time, spent on trials of tracing
-constexpr double kMaxSavedSeconds = 0.25;    // maximum budget above an OpenGL on the CPU
-constexpr double kMaxSavedInHardware = 5;    // above one in hardware, where tracing is the slower guess
-constexpr double kBuildTriangle = 0.3e-6;    // seconds for a triangle of the first frame: capture, structures
-constexpr double kHopeless = 2;              // a second traced frame this many times as slow ends the trial
-constexpr double kLikely = 2;                // estimate of a traced frame, in units of leastTraceSeconds()
-constexpr double kLikelyDirect = 3;          // of a passthrough frame, in units of leastDirectSeconds()
-constexpr double kFirstTrace = 20e-3;        // seconds: the first one starts threads and builds shaders
+constexpr int kSettle = 4;      // frames before measuring: lists are compiled, shaders built
+constexpr int kTimes = 3;       // frames measured; the fastest counts: noise only adds time
+constexpr int kAttempts = 32;   // frames of another load after which measuring stops
+constexpr int kWindow = 32;     // frames over which the largest load is taken
+constexpr double kStays = 2.0;  // maximum ratio of loads until a kind is left
 constexpr size_t kKinds = 32;
 
 double ratio(double a, double b) {
@@ -93,7 +82,7 @@ EngineChoice::Way EngineChoice::frameEnded() {
   const FrameLoad load = std::exchange(frame_, {});
   const bool drawn = std::exchange(drawn_, false);
   const double seconds = std::exchange(frameSeconds_, -1);
-  const bool measuring = phase_ == Phase::measuring || (trial_ && way_ == Way::traced);
+  const bool measuring = phase_ == Phase::measuring || trial_;
   timing_ = active_ && measuring ? Timing::wanted : Timing::off;
   if (!active_ || !drawn) return way_;
 
@@ -107,21 +96,26 @@ EngineChoice::Way EngineChoice::frameEnded() {
     return way_;
   }
   if (!within(peak, kinds_[kind_].load, kStays)) {
+    if (trial_) account(kinds_[kind_], seconds);
     enter(kindOf(peak));
     return way_;
   }
   account(kinds_[kind_], seconds);
   switch (phase_) {
     case Phase::settling:
-      if (--settles_ > 0) break;
-      if (isHopeless(kinds_[kind_], seconds))
+      if (--settles_ > 0) {
+        if (!affordsAnother(kinds_[kind_], seconds)) giveUp(seconds);
+        break;
+      }
+      if (isHopeless(kinds_[kind_], seconds) || !affordsAnother(kinds_[kind_], seconds))
         measured_ = Measurement(1), measured_.add(seconds), conclude();
       else
         measure(trial_ ? 1 : kTimes);
       break;
     case Phase::measuring: {
       const bool counts = seconds >= 0 && within(load, kinds_[kind_].load, kStays);
-      if (counts ? measured_.add(seconds) : measured_.fails(kAttempts)) conclude();
+      const bool complete = counts ? measured_.add(seconds) : measured_.fails(kAttempts);
+      if (complete || !affordsAnother(kinds_[kind_], seconds)) conclude();
       break;
     }
     case Phase::holding:
@@ -131,21 +125,20 @@ EngineChoice::Way EngineChoice::frameEnded() {
   return way_;
 }
 
-/// Adds to the budget for frames that the real OpenGL draws, and charges frames of trials of tracing.
-void EngineChoice::account(const Kind& kind, double seconds) {
-  const double direct = kind.seconds[indexOf(Way::passthrough)];
-  everTraced_ |= way_ == Way::traced;
-  if (direct < 0) return;
-  if (way_ == Way::passthrough)
-    budget_.add(kShare * direct, software_ ? kMaxSavedSeconds : kMaxSavedInHardware);
-  else if (trial_ && seconds >= 0)
-    budget_.spend(seconds - direct);
+/// Ends a trial with its first frame, which says what the next trial may cost but not what frames take:
+/// structures and shaders are built in it.
+void EngineChoice::giveUp(double seconds) {
+  kinds_[kind_].tried[indexOf(way_)] = seconds;
+  endTrial(false);
+  hold(clock_() + lookInterval_.take());
 }
 
-/// Whether a settled frame of a trial shows that tracing is much slower.
-bool EngineChoice::isHopeless(const Kind& kind, double seconds) const {
-  const double direct = kind.seconds[indexOf(Way::passthrough)];
-  return trial_ && way_ == Way::traced && direct >= 0 && seconds >= kHopeless * direct;
+/// `faster`: the way that was tried is kept.
+void EngineChoice::endTrial(bool faster) {
+  Kind& kind = kinds_[kind_];
+  kind.nextTrial = clock_() + kind.trialInterval.take();
+  if (!faster) way_ = other(way_);
+  permitDirect();
 }
 
 void EngineChoice::remember(const FrameLoad& load) {
@@ -180,7 +173,7 @@ void EngineChoice::settle(Way way, bool trial) {
   trial_ = trial;
   phase_ = Phase::settling;
   settles_ = trial ? kTrialSettle : kSettle;
-  timing_ = trial && way == Way::traced ? Timing::wanted : Timing::off;
+  timing_ = trial ? Timing::wanted : Timing::off;
   permitDirect();
 }
 
@@ -211,62 +204,12 @@ void EngineChoice::conclude() {
   if (measured_.isKnown()) kind.seconds[indexOf(way_)] = measured_.seconds();
   const double here = kind.seconds[indexOf(way_)], there = kind.seconds[indexOf(unused)];
   if (trial_) {
-    kind.nextTrial = clock_() + kind.trialInterval.take();
-    if (!measured_.isKnown() || here > kFaster * there) way_ = unused;
-    permitDirect();
+    endTrial(measured_.isKnown() && here <= kFaster * there);
   } else {
     if (measured_.isKnown() && clock_() >= kind.nextTrial && mayTry(unused, kind, here))
       return settle(unused, true);
   }
   hold(clock_() + lookInterval_.take());
-}
-
-/// Whether the other way, `way`, is worth a trial where a frame takes `here` seconds now. Large scenes are
-/// tried above an OpenGL on the CPU only if that is likely to win, because no budget is saved for it.
-bool EngineChoice::mayTry(Way way, const Kind& kind, double here) const {
-  if (leastSeconds(way, kind) >= kFaster * here) return false;
-  if (way == Way::traced) return affordsTracing(kind);
-  return !tooLarge(kind.load, 1) || kLikelyDirect * leastDirectSeconds(kind.load) < here;
-}
-
-/// Lower bound of the seconds that a frame of this kind takes when drawn this way, measured or not: the
-/// largest of leastTraceSeconds() or leastDirectSeconds() and kOptimism times the measurements of frames with
-/// no more load.
-double EngineChoice::leastSeconds(Way way, const Kind& kind) const {
-  double least = way == Way::traced ? leastTraceSeconds(kind.load) : leastDirectSeconds(kind.load);
-  for (const Kind& known : kinds_) {
-    const double seconds = known.seconds[indexOf(way)];
-    const bool less =
-        known.load.triangles <= kSame * kind.load.triangles && known.load.pixels <= kSame * kind.load.pixels;
-    if (seconds >= 0 && less) least = std::max(least, kOptimism * seconds);
-  }
-  return least;
-}
-
-/// Whether the budget allows a trial of tracing, by its estimated loss: the seconds that it takes longer than
-/// the same number of frames of the real OpenGL, whose time was measured. A trial that likely wins needs no
-/// budget. The budget that is required above an OpenGL on the CPU never exceeds its maximum; above one in
-/// hardware, the loss must have been saved.
-bool EngineChoice::affordsTracing(const Kind& kind) const {
-  const double direct = kind.seconds[indexOf(Way::passthrough)], known = kind.seconds[indexOf(Way::traced)];
-  const double likely =
-      known >= 0 ? known : std::max(leastSeconds(Way::traced, kind), kLikely * leastTraceSeconds(kind.load));
-  const double build = software_ || known >= 0 ? 0 : kBuildTriangle * kind.load.triangles;
-  const double loss = (everTraced_ ? 0 : kFirstTrace) + build + (kTrialSettle + 1) * (likely - direct);
-  return loss <= 0 || budget_.left() >= (software_ ? std::min(loss, kMaxSavedSeconds) : loss);
-}
-
-/// Seconds for triangles and pixels of an OpenGL on fast cores; nearly none in hardware. Small scenes take
-/// any time.
-double EngineChoice::leastDirectSeconds(const FrameLoad& load) const {
-  constexpr double kTriangle = 30e-9, kPixel = 0.5e-9;
-  return software_ && tooLarge(load, 1) ? kTriangle * load.triangles + kPixel * load.pixels : 0;
-}
-
-/// Seconds for the rays of an empty image and its write-back, on fast cores.
-double EngineChoice::leastTraceSeconds(const FrameLoad& load) const {
-  constexpr double kFrame = 0.2e-3, kRay = 14e-9, kWriteBack = 1e-9;
-  return kFrame + load.pixels * (kRay / threads_ + kWriteBack);
 }
 
 }  // namespace gluray::gl

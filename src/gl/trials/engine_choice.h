@@ -1,12 +1,13 @@
 // Decides by measurement whether the ray tracer or the real OpenGL draws a context's frames faster
 // (adr/0012). Decides between frames, keeps a decision for many frames, and rarely tries the alternative. A
-// trial that is probably slower must fit into a time budget (TrialBudget, adr/0083). Calls no OpenGL. A part
-// of FrameClock, GL thread.
+// trial that is probably slower must fit into a time budget (TrialBudget, adr/0083), and all trials together
+// into a share of the time drawn (TrialLimit, adr/0122). Calls no OpenGL. A part of FrameClock, GL thread.
 #pragma once
 #include "base/clock.h"
 #include "base/growing_interval.h"
 #include "gl/trials/measurement.h"
 #include "gl/trials/trial_budget.h"
+#include "gl/trials/trial_limit.h"
 #include "settings/settings.h"
 
 #include <algorithm>
@@ -91,11 +92,15 @@ class EngineChoice {
  private:
   enum class Timing : uint8_t { off, wanted, running };
   enum class Phase : uint8_t { settling, measuring, holding };
+  static constexpr int kTrialSettle = 2;   // frames of a trial, which the user may notice, before it measures
+  static constexpr double kFaster = 0.87;  // change if the other way takes less than this share of the time
+  static constexpr double kSame = 1.5;     // maximum ratio of loads of one kind
 
   /// Frames of similar load, and their measured cost.
   struct Kind {
     FrameLoad load;
     double seconds[2] = {-1, -1};  // traced, passthrough; negative: not measured
+    double tried[2] = {-1, -1};    // the first frame of a trial that ended with it; negative: none
     double nextTrial = 0;
     GrowingInterval<double> trialInterval{4, 1024, 4};  // seconds
   };
@@ -115,7 +120,11 @@ class EngineChoice {
   double leastDirectSeconds(const FrameLoad& load) const;
   bool affordsTracing(const Kind& kind) const;
   bool mayTry(Way way, const Kind& kind, double here) const;
+  double likelyLoss(Way way, const Kind& kind, double here) const;
   bool isHopeless(const Kind& kind, double seconds) const;
+  bool affordsAnother(const Kind& kind, double seconds) const;
+  void giveUp(double seconds);
+  void endTrial(bool faster);
   void account(const Kind& kind, double seconds);
   /// Whether frames are too large to be left to the real OpenGL before they were measured.
   bool tooLarge(const FrameLoad& load, double slack) const {
@@ -145,6 +154,7 @@ class EngineChoice {
   bool trial_ = false;       // the current way is not known to be faster
   bool everTraced_ = false;  // a frame was drawn by Way::traced
   TrialBudget budget_;       // for trials of tracing
+  TrialLimit limit_;         // for all trials
   int settles_ = 0;          // frames until it is measured
   Measurement measured_{0};  // frames of this kind; those of another kind are failures
   double nextLook_ = 0;

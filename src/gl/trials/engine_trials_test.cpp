@@ -56,7 +56,7 @@ TEST(EngineChoice, TrialThatIsLikelyToWinIsMadeAtOnce) {
 TEST(EngineChoice, TrialThatIsLikelyToWinIsMadeAtOnceAfterOneThatTookLong) {
   FakeProgram p;
   p.triangles = 150000, p.pixels = 1 << 20;
-  p.direct = [] { return 0.030; }, p.traced = [&] { return p.traceFrames == 0 ? 1.0 : 0.040; };
+  p.direct = [] { return 0.030; }, p.traced = [&] { return p.traceFrames == 0 ? 0.2 : 0.040; };
   p.frames(100);
   ASSERT_EQ(p.choice.way(), Way::passthrough);
   ASSERT_EQ(p.traceFrames, 3);
@@ -194,7 +194,7 @@ TEST(EngineChoice, NoticesWhenASlowMachineBecomesFaster) {
   p.triangles = 150000, p.pixels = 1 << 20;
   bool busy = true;
   p.direct = [] { return 1.0; }, p.traced = [&] { return busy ? 1.2 : 0.3; };
-  p.frames(20);
+  p.frames(40);
   ASSERT_EQ(p.choice.way(), Way::passthrough);
   ASSERT_EQ(p.traceFrames, 3);
   busy = false;

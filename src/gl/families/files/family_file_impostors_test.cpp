@@ -168,5 +168,15 @@ TEST(FamilyFile, MistakesInSentBillboards) {
   has("impostors.shape = \"spheres\"\nimpostors.radius = 1\nimpostors.corners = \"k\"\n", "need ");
 }
 
+TEST(FamilyFile, LineKeys) {
+  const Family f = parsed("match.only_lines_and_points = true\nlines.size = \"wide\"\n");
+  EXPECT_EQ(f.lineSize.uniform, "wide");
+  EXPECT_TRUE(f.drawsLines() && f.mentions("wide"));
+  EXPECT_FALSE(parsed().drawsLines());
+  EXPECT_NE(mistakeIn("lines.size = \"wide\"").find("lines.size needs match.only_lines_and_points"),
+            std::string::npos);
+  EXPECT_EQ(mistakeIn("lines.width = 1"), "x.toml:6: unknown key \"width\"");
+}
+
 }  // namespace
 }  // namespace gluray::gl

@@ -42,6 +42,11 @@ std::string mistakeInSentBillboards(const Family& family) {
   return "";
 }
 
+std::string mistakeInLines(const Family& family) {
+  if (!family.lineSize.given()) return "";
+  return family.onlySolids ? "" : "lines.size needs match.only_lines_and_points";
+}
+
 /// Built-in variables must be known ones, in a program whose statements are compared.
 std::string mistakeInBuiltIns(const Family& family) {
   for (const std::string& name : family.mentioned)
@@ -205,7 +210,7 @@ std::string missingKey(const Family& family) {
 std::string mistakeIn(const Family& family) {
   if (const std::string key = missingKey(family); !key.empty()) return " needs " + key;
   for (const auto& look : {mistakeInBuiltIns, mistakeInPulling, mistakeInVolume, mistakeInFunctions,
-                           mistakeInVertexNormals, mistakeInLook, mistakeInImpostors})
+                           mistakeInVertexNormals, mistakeInLook, mistakeInImpostors, mistakeInLines})
     if (const std::string mistake = look(family); !mistake.empty()) return ": " + mistake;
   return "";
 }

@@ -37,6 +37,7 @@ void FamilyReader::read(const std::vector<std::shared_ptr<const Family>>& known)
   });
   section("depth", [&] { value("offset", family_.depthOffset), value("factor", family_.depthFactor); });
   section("edges", [&] { readEdges(); });
+  section("lines", [&] { value("size", family_.lineSize); });
   section("pass", [&] { readPass(); });
   section("volume", [&] { readVolume(); });
   allKnown();
