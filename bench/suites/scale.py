@@ -155,11 +155,16 @@ def measure_pages(options):
 def measure_peers(options):
     for millions in map(float, options.sizes.split(",")):
         for ranks in map(int, options.ranks.split(",")):
-            figures = figures_of(said_by([program(options, "gluray-bench-scale"), "--triangles", millions, "--ranks", ranks,
-                                          "--frames", options.frames, "--threads", options.threads]))
-            figures["cpu_over_one_process"] = figures["occlusion_cpu_ms"] / figures["one_process_occlusion_cpu_ms"]
-            figures["gathered_cpu_over_one_process"] = figures["gathered_occlusion_cpu_ms"] / figures["one_process_occlusion_cpu_ms"]
-            yield {"path": "sort-last", "millions": millions, "ranks": ranks, **figures}
+            for path, more in {"sort-last": [], "sort-last, hidden pixels lit": ["--light-all"]}.items():
+                if more and ranks == 1:
+                    continue
+                figures = figures_of(said_by([program(options, "gluray-bench-scale"), "--triangles", millions, "--ranks", ranks,
+                                              "--frames", options.frames, "--threads", options.threads, *more]))
+                one = figures["one_process_occlusion_cpu_ms"]
+                figures["cpu_over_one_process"] = figures["occlusion_cpu_ms"] / one
+                figures["moving_cpu_over_one_process"] = figures["moving_occlusion_cpu_ms"] / figures["one_process_moving_occlusion_cpu_ms"]
+                figures["gathered_cpu_over_one_process"] = figures["gathered_occlusion_cpu_ms"] / one
+                yield {"path": path, "millions": millions, "ranks": ranks, **figures}
 
 
 def measured_inputs(options):
