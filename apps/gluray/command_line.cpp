@@ -20,7 +20,7 @@ void addRunLimits(CLI::App& app, CommandLine& line) {
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--rest", line.restSeconds,
-                 "End the program when it has drawn, and then shows no new frame for S seconds; 0: never")
+                 "End the program when it shows no new frame for S seconds after its first one; 0: never")
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("S")
       ->capture_default_str();
@@ -137,16 +137,16 @@ void describe(CLI::App& app, CommandLine& line) {
       break;
     case Command::explain:
       app.description(
-          "Runs an OpenGL program and prints a table of the kinds of its draws: traced or not, and why.");
+          "Runs an OpenGL program and prints which of its draws were traced, and why others were not.");
       app.name("gluray explain");
       usage("options] [--] PROGRAM [ARGUMENTS...");
       addExplainOptions(app, line);
       break;
     case Command::doctor:
       app.description(
-          "Checks this machine and a program, or a running job of workers. Prints a line for each check, and "
-          "a\n"
-          "fix for each problem.\n"
+          "Checks this machine and a program, or a running job of workers. Prints a line for each check, "
+          "and\n"
+          "a fix for each known problem.\n"
           "Exit code 0: all is well, 1: it works with limitations, 2: it will not work.");
       app.name("gluray doctor");
       usage("options] [--] [PROGRAM");
@@ -162,18 +162,18 @@ void describe(CLI::App& app, CommandLine& line) {
       break;
     case Command::uninstall:
       app.description(
-          "Lists what GLuRay keeps outside its own folder: settings, and sockets of running programs. Says "
-          "how\n"
-          "to remove GLuRay itself.");
+          "Lists the files of GLuRay outside its own folder: settings, and sockets of running programs. "
+          "Prints\n"
+          "how to remove GLuRay itself.");
       app.name("gluray uninstall");
       usage("options");
       app.add_flag("--remove", line.remove, "Remove what is listed");
       return;
     case Command::reportBug:
       app.description(
-          "Checks this machine, runs a program for a while, and packs what a bug report needs into an "
-          "archive.\n"
-          "Prints what is in it, and sends nothing.");
+          "Writes an archive for a bug report: checks this machine, runs a program for a while, and packs "
+          "the\n"
+          "results. Prints the contents of the archive, and sends nothing.");
       app.name("gluray report-bug");
       usage("options] [--] [PROGRAM] [ARGUMENTS...");
       app.add_option("-o", line.archive, "Name of the archive [gluray-report.tar.gz]")
@@ -181,7 +181,7 @@ void describe(CLI::App& app, CommandLine& line) {
       addRunLimits(app, line);
       break;
     case Command::quirks:
-      app.description("Lists the workarounds for single OpenGL implementations.");
+      app.description("Lists the workarounds for particular OpenGL implementations.");
       app.name("gluray quirks");
       usage("options");
       return;

@@ -11,7 +11,7 @@ Examples:
   gluray --off osgviewer head.obj                  the real OpenGL, for comparison
   gluray --threads 4 --bvh least paraview          four threads, least memory
   gluray explain --html page.html glxgears         which draws were traced, and why others were not
-  gluray --shot last.png --quit paraview           a picture of what it shows when it is at rest
+  gluray --shot last.png --quit paraview           save a picture when the program is idle
   gluray doctor osgviewer                          check whether it can be traced, without starting it
 
 Commands, each with its own --help:
@@ -23,8 +23,8 @@ Commands, each with its own --help:
   gluray settings          all settings with their values and where these come from
   gluray get NAME          the value of a setting; with --why its value in each layer
   gluray presets           named sets of settings and their contents
-  gluray report-bug        an archive with all that a bug report needs
-  gluray uninstall         what GLuRay keeps outside its folder, and how to remove it
+  gluray report-bug        write an archive for a bug report
+  gluray uninstall         list the files outside the folder of GLuRay, and how to remove it
   gluray environment       variables for shells and batch jobs whose programs are to run under GLuRay
 
 Commands for running programs:
@@ -47,11 +47,11 @@ Commands for the scenes of running programs:
   gluray camera            list the cameras; gluray camera focus X Y focuses on a surface
 
 Pictures of saved scenes:
-  gluray render SCENE.gluray FILE.png   make a picture of any size, without the program; FILE.exr: OpenEXR
+  gluray render SCENE.gluray FILE.png   render a picture of any size; FILE.exr: OpenEXR
   gluray render SCENE - --y4m --turntable 90 | ffmpeg -i - turn.mp4   a film; also along a --path
-  gluray render --again FILE.png        make a picture again as it was made
-  gluray view SCENE.gluray              turn it in a window, choose a look, save pictures
-  gluray export SCENE.gluray FILE       write it as glTF (.glb), .obj or .ply
+  gluray render --again FILE.png        repeat the command that made the picture
+  gluray view SCENE.gluray              show it in a window: turn it, choose a look, save pictures
+  gluray export SCENE.gluray FILE       convert it to glTF (.glb), .obj or .ply
 
 After a run:
   gluray timeline FILE     print the work of each thread in a run with --timeline FILE

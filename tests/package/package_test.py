@@ -82,7 +82,10 @@ def check_man(prefix: pathlib.Path) -> None:
     check_page(pages / "man5/gluray.toml.5.gz")
     check_page(pages / "man7/gluray.7.gz")
     check_page(pages / "man1/gluray-worker.1.gz", options_of(prefix / "bin/gluray-worker"))
-    check_page(pages / "man1/gluray.1.gz", options_of(gluray).union(*(options_of(gluray, command) for command in sorted(commands_of(gluray)))))
+    options = {command: options_of(gluray, command) for command in sorted(commands_of(gluray))}
+    check_page(pages / "man1/gluray.1.gz", options_of(gluray).union(*options.values()))
+    for command in options.keys() - {"panel"}:  # whose page is in the panel's package
+        check_page(pages / f"man1/gluray-{command}.1.gz", options[command])
 
 
 def check_panel(packages: pathlib.Path, folder: pathlib.Path) -> None:

@@ -72,20 +72,20 @@ std::string problemOf(const ShotOptions& options) {
 void addShotOptions(CLI::App& app, ShotOptions& options) {
   app.add_option(
          "--shot", options.file,
-         "Make a picture (.png) of what the program shows, or save it as a scene (.gluray, .glb, .obj,\n"
-         ".ply); of a sequence: a pattern such as step-%04d.png")
+         "Save what the program shows as a picture (.png, .exr) or as a scene (.gluray, .glb, .obj, .ply).\n"
+         "For a sequence, FILE is a pattern such as step-%04d.png")
       ->type_name("FILE");
   app.add_option(
          "--shot-at", options.when,
-         "When: a frame's number, a time such as 2.5s, idle (the program is at rest, or ends), every\n"
-         "frame, or every:K, each k-th frame. Of programs without a window, pictures that they read\n"
-         "count as frames")
+         "When to take the picture: at a frame number, at a time such as 2.5s, at idle (the program is idle\n"
+         "or ends), at every frame, or at every:K, each Kth frame. In programs without a window, each\n"
+         "image that the program reads is a frame")
       ->type_name("WHEN")
       ->capture_default_str();
-  app.add_option("--shot-set", options.settings, "A setting of the pictures alone, such as quality=final")
+  app.add_option("--shot-set", options.settings, "A setting for the pictures only, such as quality=final")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  app.add_flag("--quit", options.quit, "End the program when its picture is taken");
+  app.add_flag("--quit", options.quit, "End the program after the picture is taken");
 }
 
 }  // namespace gluray::launcher

@@ -106,8 +106,8 @@ bool describeControl(CLI::App& app, CommandLine& line) {
       break;
     case Command::shot:
       app.description(
-          "Saves the image in the window of a running program; with options, a picture of what it shows, of\n"
-          "any size and with any settings, made by a process of its own. Overwrites pictures only.");
+          "Saves the image in the window of a running program. With options, a separate process renders a\n"
+          "picture of the same view in any size, with any settings. Overwrites only pictures.");
       app.add_option("FILE", options.file, "Name of the image, ending in .png or .exr");
       addPictureOptions(app, line.picture);
       addRestartOption(app, line.picture);
@@ -116,8 +116,9 @@ bool describeControl(CLI::App& app, CommandLine& line) {
       break;
     case Command::save:
       app.description(
-          "Saves what a running program shows as a scene, from which `gluray render` makes pictures without "
-          "the\nprogram, or in a form that other programs read: glTF 2.0, OBJ or PLY.");
+          "Saves the scene that a running program shows. `gluray render` renders saved scenes (.gluray) "
+          "without\n"
+          "the program. Other programs read glTF 2.0, OBJ and PLY.");
       app.add_option("FILE", options.file, "Name of the file, ending in .gluray, .glb, .obj or .ply")
           ->required();
       break;

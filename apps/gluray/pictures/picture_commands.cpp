@@ -8,9 +8,8 @@ namespace gluray::launcher {
 
 void describeRender(CLI::App& app, CommandLine& line) {
   app.description(
-      "Makes a picture of a scene that `gluray save` saved, of any size, with the settings that the program "
-      "had\n"
-      "or others. If it is interrupted, the same command goes on where it ended. Overwrites pictures only.");
+      "Renders a picture of a saved scene in any size, with the program's settings or with others. After an\n"
+      "interruption, the same command continues. Overwrites only pictures.");
   app.name("gluray render");
   app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray");
   app.add_option("FILE", line.picture.file, "Name of the picture, ending in .png or .exr; - with --y4m");
@@ -24,18 +23,15 @@ void describeRender(CLI::App& app, CommandLine& line) {
 
 void describeView(CLI::App& app, CommandLine& line) {
   app.description(
-      "Shows a scene that `gluray save` saved in a window: to turn it, to choose a look, and to save "
-      "pictures. "
-      "For\n"
-      "each one it prints the command that makes it again.");
+      "Shows a saved scene in a window, in which you can turn it, choose a look and save pictures. For each\n"
+      "picture it prints the command that repeats it.");
   app.name("gluray view");
   app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray")->required();
   addSettingOptions(app, line.settings, false);
 }
 
 void describeExport(CLI::App& app, CommandLine& line) {
-  app.description(
-      "Writes a scene that `gluray save` saved in a form that other programs read: glTF 2.0, OBJ or PLY.");
+  app.description("Converts a saved scene to a format of other programs: glTF 2.0, OBJ or PLY.");
   app.name("gluray export");
   app.add_option("SCENE", line.picture.scene, "The scene, a file that ends in .gluray")->required();
   app.add_option("FILE", line.picture.file, "Name of the new file, ending in .glb, .obj or .ply")->required();

@@ -43,59 +43,60 @@ std::string whyNotOf(const PictureOptions& options) {
 }
 
 void addPictureOptions(CLI::App& app, PictureOptions& options) {
-  app.add_option("--size", options.size, "Pixels of the picture [those of the window]")
+  app.add_option("--size", options.size, "Size of the picture in pixels [the size of the window]")
       ->type_name("WIDTHxHEIGHT");
   app.add_option(
          "--fit", options.fit,
-         "If the picture has another aspect ratio than the window: all shows more at two sides, crop\n"
-         "cuts two sides off, stretch distorts")
+         "If the aspect ratio of the picture differs from that of the window: all shows more at two sides,\n"
+         "crop cuts two sides off, stretch distorts the view")
       ->check(CLI::IsMember({"all", "crop", "stretch"}))
       ->capture_default_str();
-  app.add_option("--background", options.background, "The window's background, or none")
+  app.add_option("--background", options.background,
+                 "Keep the background of the window (as-shown) or remove it (transparent)")
       ->check(CLI::IsMember({"as-shown", "transparent"}))
       ->capture_default_str();
   app.add_option("--depth", options.depth,
-                 "Bits a channel: 8 or 16 of PNG files [8], 16 or 32 of the colours of OpenEXR files [32]")
+                 "Bits per channel: 8 or 16 for PNG [8], 16 or 32 for the colours of OpenEXR [32]")
       ->check(CLI::IsMember({8, 16, 32}))
       ->type_name("BITS");
   app.add_option(
          "--layers", options.layers,
-         "Layers of an OpenEXR file beside its colours: all, or a list of albedo, normal, position, depth,\n"
-         "object and material, with commas")
+         "Additional layers of an OpenEXR file: all, or a comma-separated list of albedo, normal, position,\n"
+         "depth, object and material")
       ->type_name("NAMES");
   app.add_flag("!--no-overlays", options.overlays,
-               "Leave out what the program draws over surfaces: text, axes, widgets");
+               "Omit overlays: text, axes and widgets that the program draws over surfaces");
 }
 
 void addRestartOption(CLI::App& app, PictureOptions& options) {
-  app.add_flag("--restart", options.again, "Begin anew, even if a picture was interrupted");
+  app.add_flag("--restart", options.again, "Start from the beginning, even if a picture was interrupted");
 }
 
 void addFilmOptions(CLI::App& app, PictureOptions& options) {
   auto* const turntable = app.add_option(
       "--turntable", options.turntable,
-      "N numbered pictures (FILE is a pattern such as turn-%04d.png) of a camera that goes around the\n"
-      "scene once, without overlays");
+      "Make N numbered pictures of one turn of the camera around the scene, without overlays. FILE is a\n"
+      "pattern such as turn-%04d.png");
   turntable->check(CLI::Range(1, 100000))->type_name("N");
   auto* const path = app.add_option(
       "--path", options.path,
-      "Numbered pictures from the cameras of FILE, without overlays: JSON, or ParaView's .pvcc (may be\n"
-      "given several times) or .pvsm");
+      "Make numbered pictures along the camera path in FILE, without overlays: JSON, or ParaView's .pvcc\n"
+      "(may be given several times) or .pvsm");
   path->allow_extra_args(false)->excludes(turntable)->type_name("FILE");
   app.add_option("--frames", options.frames,
-                 "N pictures along the path [as FILE says, or one at each of its cameras]")
+                 "Make N pictures along the path [the number in FILE, or one for each camera]")
       ->check(CLI::Range(1, 100000))
       ->needs(path)
       ->type_name("N");
   app.add_option("--saved-camera", options.savedCamera,
-                 "The camera of the saved view, .pvcc or JSON [one of the path's cameras]")
+                 "File with the camera of the saved view, .pvcc or JSON [one of the path's cameras]")
       ->needs(path)
       ->type_name("FILE");
   auto* const video = app.add_flag(
       "--y4m", options.video,
-      "Write the film to standard output (FILE is -) for an encoder: gluray render ... - --y4m | ffmpeg\n"
-      "-i - film.mp4");
-  app.add_option("--fps", options.fps, "Frames a second of the stream")
+      "Write the film to standard output for an encoder; FILE is -. Example: gluray render ... - --y4m |\n"
+      "ffmpeg -i - film.mp4");
+  app.add_option("--fps", options.fps, "Frames per second of the stream")
       ->needs(video)
       ->type_name("N")
       ->capture_default_str();
@@ -104,8 +105,7 @@ void addFilmOptions(CLI::App& app, PictureOptions& options) {
 void addRepeatOption(CLI::App& app, PictureOptions& options, const std::vector<std::string>& needed) {
   app.add_option(
          "--again", options.repeat,
-         "Make PICTURE (.png) again: runs the command that it says it was made by, if the scene is still\n"
-         "the same. No other options")
+         "Repeat the command that made PICTURE (.png), if the scene is unchanged. Allows no other options")
       ->type_name("PICTURE");
   app.callback([&app, &options, needed] {
     for (const CLI::Option* option : app.get_options()) {

@@ -11,8 +11,8 @@ constexpr int kMaxImages = 1000000;
 
 void describeMaterial(CLI::App& app, ControlOptions& options) {
   app.description(
-      "Changes the materials and the ray visibility of single objects (setting material.objects). Values\n"
-      "that are not given stay; a new material drops the values of the old one. `gluray undo` undoes the\n"
+      "Changes the materials and the ray visibility of individual objects (setting material.objects). Other\n"
+      "values do not change, but a new material drops the values of the old one. `gluray undo` undoes the\n"
       "change. Without a material or an option, prints the entries.");
   app.add_option(
       "WORD", options.words,
@@ -32,8 +32,9 @@ void describeMaterial(CLI::App& app, ControlOptions& options) {
 
 void describeFilm(CLI::App& app, ControlOptions& options) {
   app.description(
-      "Saves the next frames in the window of a running program as numbered images, each of a later frame\n"
-      "than the one before. Overwrites PNG files only. Ctrl+C ends it and keeps the images saved so far.");
+      "Saves the next frames in the window of a running program as numbered images. Each image is of a "
+      "later\n"
+      "frame than the previous one. Overwrites only PNG files. Ctrl+C ends the film and keeps all images.");
   app.add_option("FILE", options.file, "Name of the images, such as film-%04d.png, or film.png")->required();
   app.add_option("--frames", options.film.frames, "End after N images")
       ->check(CLI::Range(1, kMaxImages))
