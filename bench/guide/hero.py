@@ -15,16 +15,18 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 HERE = ROOT / "bench" / "guide"
-sys.path.insert(0, str(ROOT / "bench"))
+sys.path[:0] = [str(HERE), str(ROOT / "bench")]
 sys.dont_write_bytecode = True
+import pictures  # noqa: E402
 from support.display import NoDisplay, display  # noqa: E402
 from support import machine  # noqa: E402
 from support.options import Parser  # noqa: E402
 
 OUT = ROOT / "docs" / "guide" / "hero.png"
 PYTHON = "/usr/bin/python3"  # Debian's, which has VTK and Pillow
-SCENE, SIZE, FRAMES = "grains", "520x500", 5
-LIGHT = ["--preset", "presentation", "--set", "ground=catcher", "--set", "lights.up=z"]
+ROW = pictures.table()["guide/hero"]
+SCENE, SIZE, FRAMES = ROW["scene"], ROW["size"], 5
+LIGHT = pictures.words_of(ROW["commands"][1])
 PATIENCE = 600  # seconds
 
 

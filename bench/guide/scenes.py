@@ -5,6 +5,8 @@ Each function fills a vtkRenderer and returns the place of its camera: (directio
 import math
 
 import numpy as np
+import fields
+import objects
 import vtk
 from looks.scenes import add, bright, mapped, streamlines, wavelet
 from shapes import ATOMS, field_lines, height_field, pair_atoms, polylines, turned
@@ -278,4 +280,4 @@ def grains(renderer):
     return (0.6, -1.0, 0.55), (0, 0, 1), 1.5
 
 
-SCENES = {f.__name__: f for f in (orbital, head, head_from_afar, bars, bars_detail, cut, star, helix, helix_along, helix_detail, tubes, mountains, bearing, impact, impact_side_lit, balls, grains)}
+SCENES = {f.__name__: f for f in (orbital, head, head_from_afar, bars, bars_detail, cut, star, helix, helix_along, helix_detail, tubes, mountains, bearing, impact, impact_side_lit, balls, grains)} | fields.SCENES | objects.SCENES

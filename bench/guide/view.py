@@ -13,14 +13,16 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 HERE = ROOT / "bench" / "guide"
-sys.path.insert(0, str(ROOT / "bench"))
+sys.path[:0] = [str(HERE), str(ROOT / "bench")]
 sys.dont_write_bytecode = True
+import pictures  # noqa: E402
 from support.display import NoDisplay, display  # noqa: E402
 from support.options import Parser  # noqa: E402
 
 OUT = ROOT / "docs" / "guide" / "view.png"
 PYTHON = "/usr/bin/python3"  # Debian's, which has VTK
-SCENE, LOOK, TURN = "bearing", "presentation", "25,15"
+ROW = pictures.table()["guide/view"]
+SCENE, LOOK, TURN = ROW["scene"], ROW["commands"][1].rsplit(" ", 1)[-1], ROW["turned"]
 PATIENCE = 1800  # seconds
 
 
