@@ -188,6 +188,7 @@ const std::set<std::string> kElsewhere = {
     "preset",
     "quality",
     "gather",
+    "depth-first",
     "cull.draws",
     "cull.from",
     "cull.verify",
