@@ -3,12 +3,12 @@ figures show what the network adds, and no scaling."""
 import contextlib
 import os
 import pathlib
-import signal
 import subprocess
 import sys
 import tempfile
 import time
 
+from scale import worker_jobs
 from support.programs import Failed
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / "network"))
@@ -26,21 +26,8 @@ def job(name, command, worker, folder):
     with log.open("w") as file:
         process = subprocess.Popen([*command, str(worker), "--job", name, "--threads", "1"], stdin=subprocess.DEVNULL, stdout=file, stderr=file,
                                    env={**os.environ, "HWLOC_COMPONENTS": "-gl"}, start_new_session=True)
-    try:
-        end = time.monotonic() + 60
-        while "programs join with" not in log.read_text():
-            if process.poll() is not None or time.monotonic() > end:
-                raise Failed(f"no job {name}:\n{log.read_text()}")
-            time.sleep(0.05)
+    with worker_jobs.joined(process, log, name):
         yield
-    finally:
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(process.pid, signal.SIGTERM)
-        try:
-            process.wait(20)
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
 
 
 def ranks_on(host, worker):

@@ -41,20 +41,15 @@ def rank_processes(mpirun, ranks):
 
 
 @contextlib.contextmanager
-def job(worker, name, ranks, folder, *options):
-    """A job whose ranks trace with one thread each and have their sockets in `folder`; gives their processes. `options`: more of the worker's."""
-    log = pathlib.Path(folder) / f"{name}.log"
-    command = [*launcher(ranks), str(worker), "--job", name, "--threads", "1", *options]
-    with log.open("w") as file:
-        process = subprocess.Popen(command, env={**os.environ, "GLURAY_RUNTIME": str(folder)}, stdin=subprocess.DEVNULL, stdout=file, stderr=file,
-                                   start_new_session=True)
+def joined(process, log, what):
+    """Waits until programs can join the job that the process, a session of its own, has started; ends it afterwards."""
     try:
         end = time.monotonic() + 60
         while "programs join with" not in log.read_text():
             if process.poll() is not None or time.monotonic() > end:
-                raise Failed(f"no job: {' '.join(command)}\n{log.read_text()}")
+                raise Failed(f"no job: {what}\n{log.read_text()}")
             time.sleep(0.05)
-        yield rank_processes(process.pid, ranks)
+        yield
     finally:
         with contextlib.suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGTERM)
@@ -63,6 +58,18 @@ def job(worker, name, ranks, folder, *options):
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             process.wait()
+
+
+@contextlib.contextmanager
+def job(worker, name, ranks, folder, *options):
+    """A job whose ranks trace with one thread each and have their sockets in `folder`; gives their processes. `options`: more of the worker's."""
+    log = pathlib.Path(folder) / f"{name}.log"
+    command = [*launcher(ranks), str(worker), "--job", name, "--threads", "1", *options]
+    with log.open("w") as file:
+        process = subprocess.Popen(command, env={**os.environ, "GLURAY_RUNTIME": str(folder)}, stdin=subprocess.DEVNULL, stdout=file, stderr=file,
+                                   start_new_session=True)
+    with joined(process, log, " ".join(command)):
+        yield rank_processes(process.pid, ranks)
 
 
 class PeakMemory:

@@ -20,7 +20,7 @@ def encoded(linear):
 
 
 def finished_bands(file):
-    """Of a picture that is being made (apps/gluray/pictures/band_file.cpp)."""
+    """Of a picture that is being made (apps/gluray/pictures/files/band_file.cpp)."""
     with file.open("rb") as part:
         head = part.read(52)
     return struct.unpack("=i", head[48:])[0] if len(head) == 52 else 0

@@ -1,8 +1,8 @@
 // Bands, PNG files and options of pictures.
 #include "base/testing/temporary_folder.h"
-#include "pictures/band_file.h"
+#include "pictures/files/band_file.h"
+#include "pictures/files/png_writer.h"
 #include "pictures/picture_options.h"
-#include "pictures/png_writer.h"
 #include "pictures/wanted_settings.h"
 #include "shell_word.h"
 

@@ -4,9 +4,9 @@
 #include "base/printable.h"
 #include "control/images/film_plan.h"
 #include "control/images/window_image.h"
+#include "pictures/files/video_stream.h"
 #include "pictures/rendered_picture.h"
 #include "pictures/repeat.h"
-#include "pictures/video_stream.h"
 #include "pictures/wanted_settings.h"
 #include "say.h"
 

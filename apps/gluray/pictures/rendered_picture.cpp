@@ -3,10 +3,10 @@
 #include "base/clock.h"
 #include "base/hash.h"
 #include "control/images/film_plan.h"
-#include "pictures/band_file.h"
 #include "pictures/engine_function.h"
-#include "pictures/picture_file.h"
-#include "pictures/video_stream.h"
+#include "pictures/files/band_file.h"
+#include "pictures/files/picture_file.h"
+#include "pictures/files/video_stream.h"
 #include "saved/program/render.h"
 
 #include <sys/stat.h>

@@ -113,6 +113,13 @@ class PeerExchange final : public render::MovingTileSource, public render::Remot
   }
   void orderTiles(const render::Tiles& all);
   bool sharesTile(size_t near, int column, int row) const;
+  /// Whether the peer's surfaces may hide some of this rank's in the tile, or the other way round.
+  bool mayBeHidden(size_t near, int column, int row) const {
+    return near_[near].drawn().mayHide(own_) && sharesTile(near, column, row);
+  }
+  bool mayHide(size_t near, int column, int row) const {
+    return own_.mayHide(near_[near].drawn()) && sharesTile(near, column, row);
+  }
   void sendDepths(int number, const render::Tile& tile, const Image& image);
   /// The peer sends no more depths in this round.
   void endDepths(int rank);

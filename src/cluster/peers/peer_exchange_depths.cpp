@@ -52,8 +52,8 @@ void PeerExchange::orderTiles(const render::Tiles& all) {
   for (const int tile : tiles_) {
     bool meets = false;
     for (size_t i = 0; i < near_.size() && !meets; ++i)
-      meets = sharesTile(i, tile % all.columns, tile / all.columns) &&
-              (own_.mayHide(near_[i].drawn()) || near_[i].drawn().mayHide(own_));
+      meets = mayHide(i, tile % all.columns, tile / all.columns) ||
+              mayBeHidden(i, tile % all.columns, tile / all.columns);
     (meets ? shared : alone).push_back(tile);
   }
   columns_ = all.columns;
@@ -73,8 +73,8 @@ bool PeerExchange::exchangeDepths(const render::Tile& tile, const Image& image) 
     std::vector<size_t> awaited;
     for (size_t i = 0; i < near_.size(); ++i) {
       const int rank = near_[i].rank();
-      if (near_[i].drawn().mayHide(own_) && sharesTile(i, column, row) && !depths_.find(rank, number) &&
-          asking_[static_cast<size_t>(rank)] && !depths_.withholds(rank))
+      if (mayBeHidden(i, column, row) && !depths_.find(rank, number) && asking_[static_cast<size_t>(rank)] &&
+          !depths_.withholds(rank))
         awaited.push_back(i);
     }
     if (awaited.empty()) return false;
@@ -92,9 +92,7 @@ void PeerExchange::sendDepths(int number, const render::Tile& tile, const Image&
   {
     const std::lock_guard lock(mutex_);
     for (size_t i = 0; i < near_.size(); ++i)
-      if (own_.mayHide(near_[i].drawn()) && sharesTile(i, column, row) &&
-          depths_.send(near_[i].rank(), number))
-        to.push_back(near_[i].rank());
+      if (mayHide(i, column, row) && depths_.send(near_[i].rank(), number)) to.push_back(near_[i].rank());
   }
   std::vector<std::byte> packed;
   if (!to.empty()) packed = packDepths(image, tile, own_, snapshot_->camera.largestWins);
@@ -119,14 +117,14 @@ const render::HiddenPixels& PeerExchange::hidden(const render::Tile& tile, const
   render::HiddenPixels& hidden = seen->hidden.emplace();
   const int number = tileOf(tile), column = number % columns_, row = number / columns_;
   for (size_t i = 0; i < near_.size(); ++i) {
-    const render::DrawnPart& part = near_[i].drawn();
-    if (!part.mayHide(own_) || !sharesTile(i, column, row)) continue;
+    if (!mayBeHidden(i, column, row)) continue;
     const PeerDepths::Packed packed = [&] {
       const std::lock_guard lock(mutex_);
       return depths_.find(near_[i].rank(), number);
     }();
     try {
-      if (packed) addHidden(*packed, part, image, tile, snapshot_->camera.largestWins, depthStep_, hidden);
+      if (packed)
+        addHidden(*packed, near_[i].drawn(), image, tile, snapshot_->camera.largestWins, depthStep_, hidden);
     } catch (const std::exception&) {}  // malformed: lights what it may hide
   }
   return hidden;

@@ -31,12 +31,7 @@ std::vector<glm::vec4> wideOf(const SavedScene& scene, const ShotOptions& option
 std::vector<uint32_t> bytesOf(const SavedScene& scene, const ShotOptions& options) {
   frame::Renderer renderer;
   Shot shot(scene, options, renderer);
-  std::vector<uint32_t> rows;
-  for (int band = 0; band < shot.bands(); ++band) {
-    const std::vector<uint32_t> some = shot.band(band);
-    rows.insert(rows.end(), some.begin(), some.end());
-  }
-  return rows;
+  return test::rowsOf(shot);
 }
 
 /// The largest difference of a channel from the bytes, in steps of these. `others`: how many round to other

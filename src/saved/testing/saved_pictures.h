@@ -46,13 +46,19 @@ inline std::vector<uint32_t> shownBy(const scene::Snapshot& s, uint32_t backgrou
   return colors;
 }
 
-/// All bands, bottom row first.
-inline std::vector<uint32_t> pictureOf(Shot& shot) {
+/// All bands, top row first.
+inline std::vector<uint32_t> rowsOf(Shot& shot) {
   std::vector<uint32_t> rows;
   for (int band = 0; band < shot.bands(); ++band) {
     const std::vector<uint32_t> some = shot.band(band);
     rows.insert(rows.end(), some.begin(), some.end());
   }
+  return rows;
+}
+
+/// The same, bottom row first.
+inline std::vector<uint32_t> pictureOf(Shot& shot) {
+  const std::vector<uint32_t> rows = rowsOf(shot);
   const auto width = static_cast<ptrdiff_t>(shot.size().x);
   std::vector<uint32_t> flipped;
   for (auto row = rows.end(); row != rows.begin(); row -= width)

@@ -52,12 +52,7 @@ std::vector<uint32_t> rendered(const SavedScene& scene, const ViewRequest& reque
   if (request.camera) options.known = std::make_shared<KnownView>(knownView(batches, {&saved, 1}, true));
   frame::Renderer renderer;
   Shot shot(scene, options, renderer);
-  std::vector<uint32_t> rows;
-  for (int band = 0; band < shot.bands(); ++band) {
-    const std::vector<uint32_t> some = shot.band(band);
-    rows.insert(rows.end(), some.begin(), some.end());
-  }
-  return rows;
+  return test::rowsOf(shot);
 }
 
 struct Seen {

@@ -1,4 +1,4 @@
-#include "pictures/band_file.h"
+#include "pictures/files/band_file.h"
 
 #include "base/printable.h"
 

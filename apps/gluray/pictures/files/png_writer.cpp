@@ -1,4 +1,4 @@
-#include "pictures/png_writer.h"
+#include "pictures/files/png_writer.h"
 
 #include "base/files.h"
 #include "base/printable.h"

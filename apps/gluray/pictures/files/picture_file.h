@@ -1,6 +1,6 @@
 // The file that a picture ends in: PNG or OpenEXR. One thread.
 #pragma once
-#include "pictures/band_file.h"
+#include "pictures/files/band_file.h"
 #include "pictures/picture_options.h"
 
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 // Films for encoders, and what pictures say of how they were made.
-#include "pictures/video_stream.h"
+#include "pictures/files/video_stream.h"
 
 #include "base/testing/temporary_folder.h"
+#include "pictures/files/png_writer.h"
 #include "pictures/picture_texts.h"
-#include "pictures/png_writer.h"
 #include "shell_word.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "pictures/picture_file.h"
+#include "pictures/files/picture_file.h"
 
 #include "pictures/engine_function.h"
-#include "pictures/png_writer.h"
+#include "pictures/files/png_writer.h"
 #include "saved/program/render.h"
 
 #include <stdexcept>

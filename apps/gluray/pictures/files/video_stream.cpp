@@ -1,4 +1,4 @@
-#include "pictures/video_stream.h"
+#include "pictures/files/video_stream.h"
 
 #include <unistd.h>
 
