@@ -1,4 +1,4 @@
-"""Runs a command with an X server of its own. Small scenes are traced, too, unless GLURAY_ENGINE says otherwise."""
+"""Runs a command with an X server of its own. Small scenes are traced, too, unless GLURAY_ENGINE says otherwise; no results of trials are kept."""
 import os
 import pathlib
 import subprocess
@@ -20,6 +20,7 @@ try:
         sys.exit("with_display.py: Xvfb did not start")
     os.environ["DISPLAY"] = f":{number}"
     os.environ.setdefault("GLURAY_ENGINE", "always")
+    os.environ.setdefault("GLURAY_REMEMBER_ENGINE", "off")
     code = subprocess.run(sys.argv[1:]).returncode
 finally:
     server.terminate()

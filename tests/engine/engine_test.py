@@ -9,14 +9,14 @@ import sys
 import tempfile
 import unittest
 
-SMALL, LARGE = 2000, 150000  # triangles, under 512 x 512 pixels
+SMALL, MIDDLE, LARGE = 2000, 45000, 150000  # triangles, under 512 x 512 pixels
 REASON = "small scene: the real OpenGL is faster"
 STREAMS = pathlib.Path(__file__).parent.parent / "streams"
 
 
-def run(*command, engine=None, before=()):
+def run(*command, engine=None, before=(), **variables):
     """(lines printed, report)."""
-    environment = {k: v for k, v in os.environ.items() if k != "GLURAY_ENGINE"}
+    environment = {k: v for k, v in os.environ.items() if k != "GLURAY_ENGINE"} | variables
     if engine is None:
         done = subprocess.run([*before, *map(str, command)], capture_output=True, text=True, timeout=200, env=environment)
         return done.stdout.split("\n")[:-1], None
@@ -77,6 +77,33 @@ class Engine(unittest.TestCase):
         _, report = run(CLIENT, "list", LARGE, 20, engine="never")
         self.assertEqual(report["draws"], {"traced": 0, "rasterised": {"switched off": 20}})
         self.assertEqual(report["framesDirect"], 20)
+
+    def test_results_of_trials_are_used_by_the_next_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            kept = pathlib.Path(folder) / "gluray/trials" / (pathlib.Path(CLIENT).name + ".json")
+            variables = {"GLURAY_REMEMBER_ENGINE": "on", "GLURAY_THREADS": "2", "XDG_CACHE_HOME": folder}
+            plain, _ = run(CLIENT, "vbo", MIDDLE, 60)
+            for _ in range(5):  # on a busy machine the first frame of a trial may end it
+                seen, report = run(CLIENT, "vbo", MIDDLE, 60, engine="auto", **variables)
+                if kept.exists():
+                    break
+            self.same_images(plain, seen)
+            engines = json.loads(kept.read_text())["engines"]
+            self.assertEqual([(one["renderer"], one["threads"]) for one in engines], [(report["gl"]["renderer"], 2)])
+            self.assertAlmostEqual(engines[0]["trials"][0]["triangles"], MIDDLE, delta=0.05 * MIDDLE)
+            # A large scene that the real OpenGL has drawn faster is left to it until that was measured.
+            trial = engines[0]["trials"][0] | {"triangles": LARGE, "traced": 3.0, "direct": 0.01}
+            kept.write_text(json.dumps({"format": 1, "engines": [engines[0] | {"trials": [trial]}]}))
+            plain, _ = run(CLIENT, "vbo", LARGE, 20)
+            seen, report = run(CLIENT, "vbo", LARGE, 20, engine="auto", **variables)
+            self.same_images(plain, seen)
+            self.assertGreaterEqual(report["framesDirect"], 6)
+            _, report = run(CLIENT, "vbo", LARGE, 2, engine="auto", **variables | {"GLURAY_REMEMBER_ENGINE": "off"})
+            self.assertEqual(report["framesDirect"], 0)
+            for damaged in ("{", "[]", '{"format": 1, "engines": [7]}'):
+                kept.write_text(damaged)
+                _, report = run(CLIENT, "vbo", LARGE, 2, engine="auto", **variables)
+                self.assertEqual(report["framesDirect"], 0)
 
     def test_recorded_program(self):
         _, report = run("glretrace", "--benchmark", "--loop=50", STREAMS / "glxgears.trace", engine="auto")

@@ -19,6 +19,8 @@ class Uninstall(unittest.TestCase):
         self.settings.mkdir(parents=True)
         (self.settings / "gluray.toml").write_text("threads = 2\n")
         (self.folder / "home/.config/other").mkdir()
+        self.trials = self.folder / "home/.cache/gluray/trials"
+        self.trials.mkdir(parents=True)
         self.runtime.mkdir(mode=0o700)
 
     def ask(self, *words, **variables):
@@ -34,13 +36,21 @@ class Uninstall(unittest.TestCase):
         self.assertIn("GLuRay itself is the build folder", said)
         self.assertTrue((self.settings / "gluray.toml").exists())
         listed = json.loads(self.ask("--json"))
-        self.assertEqual([(one["path"], one["removed"]) for one in listed["outside"]][:2], [(str(self.settings), False), (str(self.runtime), False)])
+        self.assertEqual([(one["path"], one["removed"]) for one in listed["outside"]][:3],
+                         [(str(self.settings), False), (str(self.trials), False), (str(self.runtime), False)])
         self.assertIn(f"removed: {self.settings} (settings)", self.ask("--remove"))
-        self.assertFalse(self.settings.exists() or self.runtime.exists())
+        self.assertFalse(self.settings.exists() or self.runtime.exists() or self.trials.parent.exists())
         self.assertTrue((self.folder / "home/.config/other").exists())
         self.assertNotIn(str(self.folder), self.ask().split("GLuRay itself")[0])
 
+    def test_leaves_other_files_beside_the_results(self):
+        other = self.trials.parent / "other"
+        other.write_text("")
+        self.assertIn(f"removed: {self.trials} (", self.ask("--remove"))
+        self.assertTrue(other.exists())
+
     def test_leaves_directories_of_others_alone(self):
+        self.trials.rmdir()
         self.runtime.chmod(0o755)
         link = self.folder / "elsewhere"
         self.settings.rename(link)

@@ -24,10 +24,11 @@ struct Kept {
   const char* what;
 };
 
-std::string settingsDirectory() {
-  const std::string chosen = environmentVariable("XDG_CONFIG_HOME"), home = environmentVariable("HOME");
+/// The user's directory of GLuRay in the one that `variable` names, or in `inHome`; empty if there is none.
+std::string userDirectory(const char* variable, const char* inHome) {
+  const std::string chosen = environmentVariable(variable), home = environmentVariable("HOME");
   if (!chosen.empty()) return chosen + "/gluray";
-  return home.empty() ? "" : home + "/.config/gluray";
+  return home.empty() ? "" : home + inHome + "/gluray";
 }
 
 std::vector<Kept> keptOutside() {
@@ -39,7 +40,9 @@ std::vector<Kept> keptOutside() {
       if (other.path == path) return;
     kept.push_back({path, what});
   };
-  add(settingsDirectory(), "settings");
+  add(userDirectory("XDG_CONFIG_HOME", "/.config"), "settings");
+  if (const std::string cache = userDirectory("XDG_CACHE_HOME", "/.cache"); !cache.empty())
+    add(cache + "/trials", "results of engine = auto");
   std::vector<std::string> runtimes{control::runtimeDirectory()};
   // Links lie there where the session's directory cannot hold them. Who has chosen a directory keeps to it.
   if (environmentVariable("GLURAY_RUNTIME").empty())
@@ -47,6 +50,13 @@ std::vector<Kept> keptOutside() {
   for (const std::string& path : runtimes)
     if (control::whyUnsafe(path).empty()) add(path, "sockets and links of programs that run");
   return kept;
+}
+
+/// Removes a directory, and the one around it if that is GLuRay's and empty.
+void remove(const fs::path& path, std::error_code& error) {
+  fs::remove_all(path, error);
+  std::error_code notEmpty;
+  if (!error && path.parent_path().filename() == "gluray") fs::remove(path.parent_path(), notEmpty);
 }
 
 }  // namespace
@@ -59,7 +69,7 @@ int uninstall(const CommandLine& line) {
   bool failed = false;
   for (const Kept& one : kept) {
     std::error_code error;
-    if (line.remove) fs::remove_all(one.path, error);
+    if (line.remove) remove(one.path, error);
     if (error) say(one.path + ": " + error.message()), failed = true;
     list.push_back({{"path", one.path}, {"what", one.what}, {"removed", line.remove && !error}});
     if (!line.json)

@@ -40,6 +40,7 @@ struct ContextInfo {
   /// region that was read, in pixels of that framebuffer. May be empty.
   std::function<void(const scene::Region&)> pictureRead;
   EngineChoice::Clock clock = nowSeconds;  // measures frames
+  std::shared_ptr<Precedents> precedents;  // of these engines, for engine = auto; null: none
 };
 
 }  // namespace gluray::gl

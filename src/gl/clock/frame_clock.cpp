@@ -5,7 +5,7 @@
 namespace gluray::gl {
 
 FrameClock::FrameClock(const ContextInfo& info, const Settings& settings)
-    : choice({engineOf(info, settings), threadsOf(settings), info.software}, info.clock),
+    : choice({engineOf(info, settings), threadsOf(settings), info.software, info.precedents}, info.clock),
       info_(info),
       passesThrough_(!info.off && choice.way() == EngineChoice::Way::passthrough) {}
 

@@ -27,8 +27,9 @@ void PassthroughFrames::chooseNext() {
 }
 
 void PassthroughFrames::startAnew(Engine engine) {
+  const ContextInfo& info = p_.shadow.info;
   p_.clock.choice =
-      EngineChoice({engine, threadsOf(p_.shadow.settings), p_.shadow.info.software}, p_.shadow.info.clock);
+      EngineChoice({engine, threadsOf(p_.shadow.settings), info.software, info.precedents}, info.clock);
   set(p_.clock.choice.way() == EngineChoice::Way::passthrough && !p_.shadow.info.off);
 }
 

@@ -38,7 +38,7 @@ class PassthroughFrames {
   void stopMeasuring();
   /// Call after a frame, outside glBegin and list compilation: chooses who draws the next one.
   void chooseNext();
-  /// The same if the setting `engine` has changed: forgets all measurements.
+  /// The same if the setting `engine` has changed: forgets all measurements but the precedents.
   void startAnew(Engine engine);
 
  private:

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <utility>
 
 namespace gluray::gl::test {
 
@@ -21,8 +23,9 @@ struct FakeProgram {
   double idle = 0;  // between frames
   int finishes = 0, traceFrames = 0, directFrames = 0, changes = 0;
 
-  explicit FakeProgram(Engine engine = Engine::automatic, bool software = true)
-      : choice({engine, 2, software}, fakeClock) {
+  explicit FakeProgram(Engine engine = Engine::automatic, bool software = true,
+                       std::shared_ptr<Precedents> precedents = nullptr)
+      : choice({engine, 2, software, std::move(precedents)}, fakeClock) {
     g_now = 0, g_clockCalls = 0;
   }
   void frame() {

@@ -12,22 +12,8 @@ constexpr int kAttempts = 32;   // frames of another load after which measuring 
 constexpr int kWindow = 32;     // frames over which the largest load is taken
 constexpr double kStays = 2.0;  // maximum ratio of loads until a kind is left
 constexpr size_t kKinds = 32;
-
-double ratio(double a, double b) {
-  const double small = std::min(a, b) + 1, large = std::max(a, b) + 1;
-  return large / small;
-}
-
-bool within(const FrameLoad& a, const FrameLoad& b, double factor) {
-  // Below some thousand triangles their number hardly affects the time.
-  constexpr double kFew = 2000;
-  return ratio(std::max(a.triangles, kFew), std::max(b.triangles, kFew)) <= factor &&
-         ratio(a.pixels, b.pixels) <= factor;
-}
-
-FrameLoad largest(const FrameLoad& a, const FrameLoad& b) {
-  return {std::max(a.triangles, b.triangles), std::max(a.pixels, b.pixels)};
-}
+constexpr double kTrusted = 60;  // seconds until a way that a precedent has chosen is compared with the other
+constexpr double kMet = 2;       // maximum ratio of a measured time and that of a precedent which is trusted
 
 }  // namespace
 
@@ -35,6 +21,7 @@ EngineChoice::EngineChoice(const Between& engines, Clock clock)
     : active_(engines.setting == Engine::automatic),
       threads_(std::max(engines.threads, 1)),
       software_(engines.software),
+      precedents_(engines.precedents ? engines.precedents : std::make_shared<Precedents>()),
       clock_(clock),
       way_(engines.setting == Engine::never    ? Way::passthrough
            : engines.setting == Engine::always ? Way::traced
@@ -90,8 +77,9 @@ EngineChoice::Way EngineChoice::frameEnded() {
   const FrameLoad peak = largest(peaks_[0], peaks_[1]);
   const bool known = load.triangles <= mostDirect_;
   if (way_ == Way::mixed || (way_ == Way::passthrough && tooLarge(load, 1.5) && !known)) {
-    kind_ = static_cast<size_t>(&kindOf(peak) - kinds_.data());
-    settle(tooLarge(load, 1) ? Way::traced : Way::passthrough, false);
+    Kind& kind = kindOf(peak);
+    kind_ = static_cast<size_t>(&kind - kinds_.data());
+    settle(fasterByPrecedent(kind, tooLarge(load, 1) ? Way::traced : Way::passthrough), false);
     overflowed_ = false;
     return way_;
   }
@@ -153,7 +141,27 @@ EngineChoice::Kind& EngineChoice::kindOf(const FrameLoad& load) {
   for (Kind& kind : kinds_)
     if (within(kind.load, load, kSame)) return kind;
   if (kinds_.size() >= kKinds) kinds_.clear();
-  return kinds_.emplace_back(Kind{load});
+  Kind& kind = kinds_.emplace_back(Kind{load});
+  kind.precedent = precedents_->find(load);
+  if (kind.precedent) kind.nextTrial = clock_() + kTrusted;
+  return kind;
+}
+
+EngineChoice::Way EngineChoice::fasterByPrecedent(const Kind& kind, Way otherwise) {
+  if (!kind.precedent) return otherwise;
+  const double traced = kind.precedent->traced, direct = kind.precedent->direct;
+  return traced < kFaster * direct ? Way::traced : direct < kFaster * traced ? Way::passthrough : otherwise;
+}
+
+/// Compares the times of frames with those of the kind's precedent, which a trial replaces as soon as one is
+/// affordable if they differ: the load of the machine, the program or the light is another one.
+void EngineChoice::compareWithPrecedent(Kind& kind) {
+  const double here = kind.seconds[indexOf(way_)];
+  if (!kind.precedent || here < 0) return;
+  const double then = way_ == Way::traced ? kind.precedent->traced : kind.precedent->direct;
+  if (here <= kMet * then && then <= kMet * here) return;
+  kind.precedent.reset();
+  kind.nextTrial = 0;
 }
 
 /// Changes to another kind of frames.
@@ -163,9 +171,9 @@ void EngineChoice::enter(Kind& kind) {
   // An interrupted trial has no result: its way does not count as used.
   const Way used = trial_ ? other(way_) : way_, unused = other(used);
   const double here = kind.seconds[indexOf(used)], there = kind.seconds[indexOf(unused)];
-  const bool faster = here >= 0 && there >= 0 && there < kFaster * here;
   const bool mustLeave = used == Way::passthrough && tooLarge(kind.load, 1) && here < 0;
-  settle(faster || mustLeave ? unused : used, false);
+  if (here >= 0 && there >= 0) return settle(there < kFaster * here ? unused : used, false);
+  settle(fasterByPrecedent(kind, mustLeave ? unused : used), false);
 }
 
 void EngineChoice::settle(Way way, bool trial) {
@@ -180,7 +188,8 @@ void EngineChoice::settle(Way way, bool trial) {
 /// Permits passthrough frames of this kind to have more triangles than an OpenGL on the CPU draws unmeasured.
 void EngineChoice::permitDirect() {
   const Kind& kind = kinds_[kind_];
-  const bool any = trial_ || kind.seconds[indexOf(Way::passthrough)] >= 0;
+  const bool any = trial_ || kind.seconds[indexOf(Way::passthrough)] >= 0 ||
+                   fasterByPrecedent(kind, Way::traced) == Way::passthrough;
   mostDirect_ = any ? kStays * kind.load.triangles : 0;
 }
 
@@ -198,12 +207,20 @@ void EngineChoice::hold(double nextLook) {
   nextLook_ = nextLook;
 }
 
+/// Makes the result of a trial a precedent.
+void EngineChoice::keep(Kind& kind) {
+  kind.precedent.reset();
+  precedents_->add({kind.load, kind.seconds[indexOf(Way::traced)], kind.seconds[indexOf(Way::passthrough)]});
+}
+
 void EngineChoice::conclude() {
   Kind& kind = kinds_[kind_];
   const Way unused = other(way_);
   if (measured_.isKnown()) kind.seconds[indexOf(way_)] = measured_.seconds();
+  compareWithPrecedent(kind);
   const double here = kind.seconds[indexOf(way_)], there = kind.seconds[indexOf(unused)];
   if (trial_) {
+    if (measured_.isKnown()) keep(kind);
     endTrial(measured_.isKnown() && here <= kFaster * there);
   } else {
     if (measured_.isKnown() && clock_() >= kind.nextTrial && mayTry(unused, kind, here))

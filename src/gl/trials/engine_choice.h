@@ -1,11 +1,14 @@
 // Decides by measurement whether the ray tracer or the real OpenGL draws a context's frames faster
 // (adr/0012). Decides between frames, keeps a decision for many frames, and rarely tries the alternative. A
 // trial that is probably slower must fit into a time budget (TrialBudget, adr/0083), and all trials together
-// into a share of the time drawn (TrialLimit, adr/0122). Calls no OpenGL. A part of FrameClock, GL thread.
+// into a share of the time drawn (TrialLimit, adr/0122). Begins with what earlier trials found (Precedents,
+// adr/0128). Calls no OpenGL. A part of FrameClock, GL thread.
 #pragma once
 #include "base/clock.h"
 #include "base/growing_interval.h"
+#include "gl/trials/frame_load.h"
 #include "gl/trials/measurement.h"
+#include "gl/trials/precedents.h"
 #include "gl/trials/trial_budget.h"
 #include "gl/trials/trial_limit.h"
 #include "settings/settings.h"
@@ -13,16 +16,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace gluray::gl {
-
-/// The work in a frame.
-struct FrameLoad {
-  double triangles = 0;  // of surfaces
-  double pixels = 0;     // sum over the depth epochs of the largest viewport's pixels
-  bool operator==(const FrameLoad&) const = default;
-};
 
 class EngineChoice {
  public:
@@ -36,8 +34,9 @@ class EngineChoice {
 
   struct Between {
     Engine setting = Engine::automatic;
-    int threads = 1;       // that trace
-    bool software = true;  // the real OpenGL renders on the CPU, too
+    int threads = 1;                         // that trace
+    bool software = true;                    // the real OpenGL renders on the CPU, too
+    std::shared_ptr<Precedents> precedents;  // of these engines; null: none
   };
   /// The clock is read only if the setting is automatic.
   explicit EngineChoice(const Between& engines, Clock clock = nowSeconds);
@@ -94,17 +93,20 @@ class EngineChoice {
   enum class Phase : uint8_t { settling, measuring, holding };
   static constexpr int kTrialSettle = 2;   // frames of a trial, which the user may notice, before it measures
   static constexpr double kFaster = 0.87;  // change if the other way takes less than this share of the time
-  static constexpr double kSame = 1.5;     // maximum ratio of loads of one kind
+  static constexpr double kSame = Precedents::kSame;  // maximum ratio of loads of one kind
 
   /// Frames of similar load, and their measured cost.
   struct Kind {
     FrameLoad load;
-    double seconds[2] = {-1, -1};  // traced, passthrough; negative: not measured
-    double tried[2] = {-1, -1};    // the first frame of a trial that ended with it; negative: none
+    double seconds[2] = {-1, -1};        // traced, passthrough; negative: not measured
+    double tried[2] = {-1, -1};          // the first frame of a trial that ended with it; negative: none
+    std::optional<Precedent> precedent;  // until frames of this kind are measured in both ways
     double nextTrial = 0;
     GrowingInterval<double> trialInterval{4, 1024, 4};  // seconds
   };
 
+  /// The way that is clearly faster by a kind's precedent; `otherwise` if none is.
+  static Way fasterByPrecedent(const Kind& kind, Way otherwise);
   static int indexOf(Way way) { return way == Way::passthrough ? 1 : 0; }
   static Way other(Way way) { return way == Way::passthrough ? Way::traced : Way::passthrough; }
   void remember(const FrameLoad& load);
@@ -115,6 +117,8 @@ class EngineChoice {
   void measure(int frames);
   void hold(double nextLook);
   void conclude();
+  void compareWithPrecedent(Kind& kind);
+  void keep(Kind& kind);
   double leastSeconds(Way way, const Kind& kind) const;
   double leastTraceSeconds(const FrameLoad& load) const;
   double leastDirectSeconds(const FrameLoad& load) const;
@@ -135,6 +139,7 @@ class EngineChoice {
   bool overflowed_ = false;
   int threads_;
   bool software_;
+  std::shared_ptr<Precedents> precedents_;  // never null
   Clock clock_;
   Way way_;
   double mostDirect_ = 0;  // triangles of passthrough frames whose number was measured, or is being tried

@@ -53,11 +53,16 @@ bool EngineChoice::mayTry(Way way, const Kind& kind, double here) const {
 }
 
 /// Seconds that a trial of `way` is likely to cost where a frame takes `here` seconds now: those of the last
-/// trial, or those of one frame that takes twice as long, if there was none. After one frame the trial can
-/// end.
+/// trial, or those of its precedent in relation to the way in use. If there was none, those of one frame that
+/// takes twice as long: after one frame the trial can end.
 double EngineChoice::likelyLoss(Way way, const Kind& kind, double here) const {
   const double known = kind.seconds[indexOf(way)], tried = kind.tried[indexOf(way)];
-  const double frame = known >= 0 ? known : tried;
+  const auto expected = [&] {
+    if (!kind.precedent) return tried;
+    const double ratio = kind.precedent->direct / kind.precedent->traced;
+    return here * (way == Way::passthrough ? ratio : 1 / ratio);
+  };
+  const double frame = known >= 0 ? known : expected();
   return frame >= 0 ? (kTrialSettle + 1) * (frame - here) : here;
 }
 

@@ -3,10 +3,12 @@
 #include "base/never_destroyed.h"
 #include "base/timeline.h"
 #include "frame/tracing/renderer.h"
+#include "gl/clock/frame_settings.h"
 #include "gl/real/extensions.h"
 #include "intercept/contexts/context_record.h"
 #include "intercept/session/families.h"
 #include "intercept/session/guarded.h"
+#include "intercept/session/kept_precedents.h"
 #include "intercept/session/session.h"
 #include "intercept/stubs/orphan_gl.h"
 
@@ -97,6 +99,8 @@ void makeContext(Record& record, Api api) {
               version = text(real, GL_VERSION);
   gl::ContextInfo info = askInfo(real, version);
   record.version = version;
+  if (!info.off && info.settings.engine == Engine::automatic)
+    info.precedents = precedentsOf({renderer, gl::threadsOf(info.settings)});
   if (ContextWatcher* const watcher = g_watcher) watcher->making(record, info);
   std::unique_ptr<gl::Presenter> presenter =
       makePresenter(info.settings, noteWritten(record), api == Api::glx);

@@ -7,24 +7,20 @@
 #include "intercept/contexts/contexts.h"
 #include "intercept/control/link.h"
 #include "intercept/reports/light_report.h"
+#include "intercept/session/session.h"
 #include "intercept/windows/window_images.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <string>
-#include <system_error>
 
 namespace gluray::intercept {
 namespace {
 
 using nlohmann::json;
-
-constexpr size_t kMaxNameBytes = 200;
 
 /// Bytes of resident memory; null: unknown.
 json residentMemory() {
@@ -43,16 +39,6 @@ json reasonsOf(const gl::Statistics& statistics) {
 }
 
 }  // namespace
-
-std::string programName() {
-  const char* const launched = std::getenv("GLURAY_PID");
-  const char* const typed = std::getenv("GLURAY_PROGRAM");
-  if (launched && typed && *typed && std::to_string(getpid()) == launched)
-    return std::filesystem::path(typed).filename().string().substr(0, kMaxNameBytes);
-  std::error_code error;
-  const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? "" : path.filename().string().substr(0, kMaxNameBytes);
-}
 
 EngineProgram::EngineProgram() : name_(programName()), job_(control::jobOfThisProcess()) {}
 

@@ -42,7 +42,4 @@ class EngineProgram : public control::ControlledProgram {
   SceneCalls sceneCalls_{[this] { return windowSize(); }};
 };
 
-/// The program's name as given to the launcher; in other processes, the name of the executable.
-std::string programName();
-
 }  // namespace gluray::intercept

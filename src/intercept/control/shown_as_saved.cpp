@@ -1,7 +1,7 @@
 #include "intercept/control/shown_as_saved.h"
 
 #include "cluster/messages/version.h"
-#include "intercept/control/engine_program.h"
+#include "intercept/session/session.h"
 
 #include <array>
 #include <ctime>

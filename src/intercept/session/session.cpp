@@ -10,8 +10,11 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cstddef>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace gluray::intercept {
@@ -52,6 +55,17 @@ const Session* readSession() {
 bool launchedProcess() {
   const char* launched = std::getenv("GLURAY_PID");
   return !launched || std::to_string(getpid()) == launched;
+}
+
+std::string programName() {
+  constexpr size_t kMaxNameBytes = 200;
+  const char* const launched = std::getenv("GLURAY_PID");
+  const char* const typed = std::getenv("GLURAY_PROGRAM");
+  if (launched && typed && *typed && std::to_string(getpid()) == launched)
+    return std::filesystem::path(typed).filename().string().substr(0, kMaxNameBytes);
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? "" : path.filename().string().substr(0, kMaxNameBytes);
 }
 
 std::string fileOfThisProcess(std::string path) {

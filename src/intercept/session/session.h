@@ -30,6 +30,10 @@ bool mayBeSeenByHubs();
 /// Whether the launcher started this process, or there was no launcher.
 bool launchedProcess();
 
+/// The program's name as given to the launcher; in other processes, the name of the executable. At most 200
+/// bytes; empty if it is unknown.
+std::string programName();
+
 /// The file that this process writes if the user named `path`: `path` itself, or `path`.PID if another
 /// process uses that. Repeated calls may return different names.
 std::string fileOfThisProcess(std::string path);
