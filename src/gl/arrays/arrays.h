@@ -1,6 +1,7 @@
 // State of vertex arrays, read back from the real OpenGL, and the meshes and captures built from them. GL
 // thread.
 #pragma once
+#include "gl/arrays/primitive_restart.h"
 #include "gl/basics/reasons.h"
 #include "gl/buffers/buffer.h"
 #include "gl/capture/captured_vertices.h"
@@ -48,7 +49,8 @@ struct ArrayState {
   // scale.
   std::vector<ArraySource> instanceTransform, instanceNormal;
   ArraySource instanceColor;
-  bool others = false;             // arrays that only the real OpenGL handles are enabled (edge flags ...)
+  bool others = false;  // arrays that only the real OpenGL handles are enabled (edge flags ...)
+  PrimitiveRestart restart;
   Reason reason = Reason::traced;  // why these arrays cannot be traced
 
   /// All per-vertex arrays except `generic`, in a fixed order.
@@ -69,8 +71,6 @@ bool isReadable(const ArraySource& source);
 bool isForeign(const ArraySource& source);
 /// Why a draw cannot be traced, if such a buffer contains its indices or an array; else Reason::traced.
 Reason foreignReason(const ArrayState& arrays);
-/// Whether primitive restart is enabled.
-bool restartsPrimitives(const RealGl& real);
 /// The buffer `name`, created if it is not known yet; null for 0.
 std::shared_ptr<Buffer> bufferNamed(ShareGroup& group, GLuint name);
 

@@ -1,7 +1,6 @@
 #include "gl/arrays/assembly.h"
 
-#include "gl/real/extensions.h"
-#include "gl/real/state_queries.h"
+#include "gl/arrays/primitive_restart.h"
 
 #include <GL/glext.h>
 
@@ -11,16 +10,6 @@
 
 namespace gluray::gl {
 namespace {
-
-bool restartsAtIndex(const RealGl& real) {
-  return isPresent(real.PrimitiveRestartIndex) && versionOf(real) >= 31 && isOn(real, GL_PRIMITIVE_RESTART);
-}
-
-bool restartsAtFixedIndex(const RealGl& real) {
-  const int version = versionOf(real);
-  return (version >= 43 || hasExtension(real, version, "GL_ARB_ES3_compatibility")) &&
-         isOn(real, GL_PRIMITIVE_RESTART_FIXED_INDEX);
-}
 
 /// Positions of the corners of triangle `i` in a strip or fan. The provoking vertex is the last or the first
 /// one.
@@ -72,20 +61,16 @@ std::vector<uint32_t> Assembly::corners(std::vector<uint32_t> numbers) const {
 Assembly assemblyOf(const RealGl& real, bool firstProvokes, GLenum mode, const Elements& e) {
   Assembly assembly{mode, firstProvokes, std::nullopt};
   if (!e.type) return assembly;
-  const uint32_t largest = e.type == GL_UNSIGNED_BYTE ? 0xFF : e.type == GL_UNSIGNED_SHORT ? 0xFFFF : ~0u;
-  if (restartsAtFixedIndex(real))
-    assembly.restart = largest;
-  else if (restartsAtIndex(real))
-    assembly.restart = static_cast<uint32_t>(integer(real, GL_PRIMITIVE_RESTART_INDEX));
   // Indices are compared before the base is added.
-  if (assembly.restart && *assembly.restart > largest) assembly.restart.reset();
+  assembly.restart = readRestart(real).indexOf(e.type);
   if (assembly.restart) *assembly.restart += static_cast<uint32_t>(e.base);
   return assembly;
 }
 
 WithoutRestart::WithoutRestart(const RealGl& real) : real_(real) {
-  if (restartsAtIndex(real)) off_[0] = GL_PRIMITIVE_RESTART;
-  if (restartsAtFixedIndex(real)) off_[1] = GL_PRIMITIVE_RESTART_FIXED_INDEX;
+  const PrimitiveRestart restart = readRestart(real);
+  if (restart.at) off_[0] = GL_PRIMITIVE_RESTART;
+  if (restart.atLargest) off_[1] = GL_PRIMITIVE_RESTART_FIXED_INDEX;
   for (const GLenum name : off_)
     if (name != 0) real.Disable(name);
 }

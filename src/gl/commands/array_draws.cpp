@@ -36,7 +36,7 @@ constexpr GLsizei kSmall = 192;  // maximum vertices of a draw that joins a run 
 Fate recordDraw(Context& c, GLenum mode, const Elements& e) {
   // Without a position array the draw may use the current position: the real OpenGL decides.
   if (e.instances >= 0 || c.shadow.arrays().others || c.shadow.arrays().reason != Reason::traced ||
-      mode > GL_POLYGON || !c.shadow.arrays().vertex.enabled) {
+      mode > GL_POLYGON || !c.shadow.arrays().vertex.enabled || c.shadow.isRestarted(c.shadow.arrays(), e)) {
     c.shadow.sendBuffers();
     return c.lists.recordFragment([&] { drawReal(c.real, mode, e); }), Fate::recordedBelow;
   }
@@ -65,7 +65,9 @@ namespace {
 bool joinsRun(Context& c, GLenum mode, const Elements& e) {
   const bool plain = e.instances < 0 && mode <= GL_POLYGON && c.shadow.arrays().reason == Reason::traced &&
                      c.shadow.arrays().vertex.enabled;
-  if (!plain || e.count > kSmall || c.classifier.classify(classOf(mode)) != Reason::traced) return false;
+  if (!plain || e.count > kSmall || c.shadow.isRestarted(c.shadow.arrays(), e) ||
+      c.classifier.classify(classOf(mode)) != Reason::traced)
+    return false;
   const Reason joined = c.failsafe.attempt([&] {
     c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays(), e), pathOf(e));
     return Reason::traced;
@@ -92,11 +94,12 @@ Fate drawByFixedFunction(Context& c, GLenum mode, const Elements& e) {
 Fate drawByProgram(Context& c, GLenum mode, const Elements& e) {
   c.shadow.refresh(kProgramGroups);
   c.immediate.closeRunIfOpen();
-  if (passOf(c.shadow.program()) == Family::Pass::peelDepths &&
+  const bool mayBeHeld = !c.shadow.isRestarted(c.shadow.attributes(), e);
+  if (mayBeHeld && passOf(c.shadow.program()) == Family::Pass::peelDepths &&
       c.protect([&] { return c.layers.peels.holdDepths(mode, e, trianglesOf(mode, e)); }))
     return Fate::heldPass;
   if (c.layers.later.drawsNothing()) return Fate::leftOutPass;
-  if (c.layers.held.asks() && c.protect([&] { return c.layers.later.holdLater(mode, e); }))
+  if (mayBeHeld && c.layers.held.asks() && c.protect([&] { return c.layers.later.holdLater(mode, e); }))
     return Fate::heldPeel;
   ProgramArraysDraw request(c, mode, e);
   return c.draws.submit(request);

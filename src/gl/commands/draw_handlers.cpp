@@ -123,7 +123,8 @@ void arrayElement(Context& c, GLint i) {
     return c.real.ArrayElement(i);
   }
   // GLuRay does not read these arrays: the real OpenGL takes over the primitive.
-  if (c.shadow.arrays().others || c.shadow.arrays().reason != Reason::traced) {
+  const ArrayState& arrays = c.shadow.arrays();
+  if (arrays.others || arrays.restart.isOn() || arrays.reason != Reason::traced) {
     if (!c.immediate.insideBegin() && c.lists.compiling()) {
       c.shadow.sendBuffers();
       return c.lists.recordFragment([&] { c.real.ArrayElement(i); });
@@ -135,7 +136,7 @@ void arrayElement(Context& c, GLint i) {
     c.shadow.touch(kCurrent);
     return c.real.ArrayElement(i);
   }
-  const ElementSender send(c.real, c.shadow.arrays(), Fractions::ofCommands);
+  const ElementSender send(c.real, arrays, Fractions::ofCommands);
   send(static_cast<uint32_t>(i));
 }
 

@@ -14,7 +14,10 @@ Reason FixedArraysDraw::classifyState() {
   if (!hasKnownVertices()) return Reason::arrayState;
   if (mode_ > GL_POLYGON) return Reason::program;  // adjacency and patches need shaders
   const Reason reason = c_.classifier.classify(classOf(mode_));
-  return reason == Reason::traced ? c_.shadow.arrays().reason : reason;
+  if (reason != Reason::traced) return reason;
+  const ArrayState& arrays = c_.shadow.arrays();
+  return arrays.reason == Reason::traced && c_.shadow.isRestarted(arrays, elements_) ? Reason::arrayState
+                                                                                     : arrays.reason;
 }
 
 KnownMesh FixedArraysDraw::mesh() { return meshOf(c_, c_.shadow.arrays(), mode_, elements_); }
@@ -30,9 +33,11 @@ Reason FixedArraysDraw::trace(const KnownMesh& mesh) {
 
 void FixedArraysDraw::meetPasses(PrimitiveClass primitive, Reason reason) {
   if (!c_.raster.needsVertices(primitive, reason)) return c_.raster.noteUnsampledDraw(primitive, reason);
-  if (!c_.shadow.arrays().vertex.enabled || c_.shadow.arrays().reason != Reason::traced) return;
+  const ArrayState& arrays = c_.shadow.arrays();
+  if (!arrays.vertex.enabled || arrays.reason != Reason::traced || c_.shadow.isRestarted(arrays, elements_))
+    return;
   c_.raster.meetPasses(
-      primitive, reason, [&] { return sampleTriangles(c_.real, c_.shadow.arrays(), mode_, elements_); },
+      primitive, reason, [&] { return sampleTriangles(c_.real, arrays, mode_, elements_); },
       [&] { return mesh(); });
 }
 

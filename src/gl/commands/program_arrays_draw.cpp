@@ -65,7 +65,7 @@ Reason ProgramArraysDraw::classifyState() {
     return c_.shadow.attributes().generic.empty() ? fixed_.classifyState() : Reason::arrayState;
   }
   if (mode_ > GL_POLYGON) return Reason::program;
-  if (!vertices_) return Reason::arrayState;
+  if (!vertices_ || c_.shadow.isRestarted(c_.shadow.attributes(), elements_)) return Reason::arrayState;
   Reason reason = classifyPass(c_, impostors_ ? PrimitiveClass::surfaces : classOf(shownMode_));
   if (reason == Reason::traced && impostors_) reason = c_.programs.classifyImpostors();
   if (reason != Reason::traced) return reason;

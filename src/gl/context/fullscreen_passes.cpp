@@ -114,7 +114,7 @@ bool FullscreenPasses::antialiasInto(GLuint attachment, const scene::Region& reg
   const GLint unit = uniforms.integer(family.passInput), active = integer(real, GL_ACTIVE_TEXTURE);
   p_.shadow.errors.keepPending();
   real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  const bool sampled = isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0;
+  const bool sampled = samplerOf(real) != 0;
   const auto input = static_cast<GLuint>(integer(real, GL_TEXTURE_BINDING_2D));
   const bool plain =
       !sampled && isPlainInput(real, p_.shadow.rare(), {region.width, region.height}) && input != attachment;

@@ -192,13 +192,14 @@ void AttributeReader::readInstances(const Family& family) {
 
 void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& arrays) {
   arrays = {};
+  arrays.restart = readRestart(real);
   arrays.elements = bufferNamed(group, static_cast<GLuint>(integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
   const bool pulls = program && program->family && program->family->pulling.given();
   AttributeReader reader(real, group, program, arrays);
   reader.read();
   if (const Reason foreign = foreignReason(arrays); foreign != Reason::traced)
     arrays.reason = foreign;
-  else if (!reader.isPlain() || !(arrays.vertex.enabled || pulls) || restartsPrimitives(real))
+  else if (!reader.isPlain() || !(arrays.vertex.enabled || pulls))
     arrays.reason = Reason::arrayState;
 }
 

@@ -136,7 +136,7 @@ Reason ProgramReader::readPulledArrays(ArrayState& arrays) {
     source->pointer += static_cast<size_t>(shift) * static_cast<size_t>(form->stride);
   }
   if (const Reason reason = foreignReason(arrays); reason != Reason::traced) return reason;
-  return arrays.vertex.enabled && !restartsPrimitives(real_) ? Reason::traced : Reason::arrayState;
+  return arrays.vertex.enabled ? Reason::traced : Reason::arrayState;
 }
 
 Reason ProgramReader::readPulledCells(PulledVertices& pulled) {

@@ -95,6 +95,11 @@ class ShadowState {
     refresh(kProgram);
     return program_;
   }
+  /// Whether primitive restart begins a new primitive within the draw, so that it cannot be traced. `arrays`:
+  /// arrays() or attributes().
+  bool isRestarted(const ArrayState& arrays, const Elements& elements) {
+    return restarted_.isRestarted(real, arrays.restart, arrays.elements.get(), elements);
+  }
   /// The last result of raster(), without a read-back, for draws that must not wait for queries.
   const RasterState& lastRaster() const { return raster_; }
 
@@ -199,6 +204,7 @@ class ShadowState {
   ProgramState program_;
   ValuesOfCells valuesOfCells_;
   ArrayState arrays_, attributes_;
+  RestartedDraws restarted_;
 };
 
 /// Groups that decide whether and how a surface is traced.

@@ -152,7 +152,6 @@ Reason TextureCache::readUnit(const RealGl& real, const RareState& has, GLint un
   if (range.levels == 0) return enabled.more ? Reason::textureIncomplete : Reason::traced;
   if (unit >= scene::kTextureUnits) return Reason::textureUnits;
   if (sampling != Reason::traced) return sampling;
-  if (isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0) return Reason::textureFormat;
   if (!readTexGen(real, texture.texGen)) return Reason::texGen;
   if (!readEnvironment(real, texture)) return Reason::textureEnv;
   real.GetFloatv(GL_TEXTURE_MATRIX, glm::value_ptr(texture.textureMatrix));
@@ -192,7 +191,6 @@ Reason TextureCache::bound(const RealGl& real, const RareState& has, GLint unit,
   ActiveUnit active(real);
   active.select(static_cast<GLenum>(GL_TEXTURE0 + unit));
   texture.target = target->kind;
-  if (isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0) return Reason::textureFormat;
   if (const Reason sampling = readSampling(real, has, target->name, texture); sampling != Reason::traced)
     return sampling;
   const ImageRange range = rangeOf(real, has, target->name, texture.mipFilter != scene::MipFilter::none);

@@ -48,16 +48,44 @@ scene::LodRule lodRuleOf(const RealGl& real) {
   return name && std::strstr(name, "llvmpipe") ? scene::LodRule::llvmpipe : scene::LodRule::specified;
 }
 
+/// Sampling parameters of the active unit: those of its sampler object or, without one, of the texture that
+/// is bound to `target`.
+class Parameters {
+ public:
+  Parameters(const RealGl& real, GLenum target) : real_(real), target_(target), sampler_(samplerOf(real)) {}
+  bool ofSampler() const { return sampler_ != 0; }
+  /// `usual`: the value where the real OpenGL does not know the parameter.
+  GLint integer(GLenum name, GLint usual) const {
+    if (ofSampler())
+      real_.GetSamplerParameteriv(sampler_, name, &usual);
+    else
+      real_.GetTexParameteriv(target_, name, &usual);
+    return usual;
+  }
+  void read(GLenum name, GLfloat* values) const {
+    if (ofSampler())
+      real_.GetSamplerParameterfv(sampler_, name, values);
+    else
+      real_.GetTexParameterfv(target_, name, values);
+  }
+
+ private:
+  const RealGl& real_;
+  GLenum target_;
+  GLuint sampler_;
+};
+
 /// Reads the level-of-detail state: bias of unit and texture, limits.
-void readLod(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture) {
+void readLod(const RealGl& real, const RareState& has, const Parameters& parameters,
+             scene::Texture& texture) {
   GLfloat unit = 0, own = 0;
   if (has.fixedFunction) real.GetTexEnvfv(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, &unit);
-  real.GetTexParameterfv(target, GL_TEXTURE_LOD_BIAS, &own);
+  parameters.read(GL_TEXTURE_LOD_BIAS, &own);
   GLfloat most = 16;
   real.GetFloatv(GL_MAX_TEXTURE_LOD_BIAS, &most);
   texture.lodBias = std::clamp(unit + own, -most, most);
-  real.GetTexParameterfv(target, GL_TEXTURE_MIN_LOD, &texture.minLod);
-  real.GetTexParameterfv(target, GL_TEXTURE_MAX_LOD, &texture.maxLod);
+  parameters.read(GL_TEXTURE_MIN_LOD, &texture.minLod);
+  parameters.read(GL_TEXTURE_MAX_LOD, &texture.maxLod);
   texture.lodRule = lodRuleOf(real);
 }
 
@@ -82,6 +110,10 @@ bool hasByteFilter(GLenum target, const scene::Texture& t) {
 
 }  // namespace
 
+GLuint samplerOf(const RealGl& real) {
+  return isPresent(real.BindSampler) ? static_cast<GLuint>(integer(real, GL_SAMPLER_BINDING)) : 0;
+}
+
 bool isSwizzled(const RealGl& real, const RareState& has, GLenum target) {
   if (!has.textureSwizzle) return false;
   const auto is = [&](GLenum name, GLint component) {
@@ -94,10 +126,11 @@ bool isSwizzled(const RealGl& real, const RareState& has, GLenum target) {
 }
 
 Reason readSampling(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture) {
-  const auto parameter = [&](GLenum name, GLint usual) {
-    real.GetTexParameteriv(target, name, &usual);
-    return usual;
-  };
+  const Parameters parameters(real, target);
+  // Rectangles lack some wrap modes, and cube maps have a seam of their own by an extension.
+  if (parameters.ofSampler() && (target == GL_TEXTURE_RECTANGLE || target == GL_TEXTURE_CUBE_MAP))
+    return Reason::textureFormat;
+  const auto parameter = [&](GLenum name, GLint usual) { return parameters.integer(name, usual); };
   const auto s = toWrap(parameter(GL_TEXTURE_WRAP_S, GL_REPEAT)),
              t = toWrap(parameter(GL_TEXTURE_WRAP_T, GL_REPEAT)),
              r = toWrap(parameter(GL_TEXTURE_WRAP_R, GL_REPEAT));
@@ -107,9 +140,9 @@ Reason readSampling(const RealGl& real, const RareState& has, GLenum target, sce
   const GLint min = parameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   texture.minFilter = toFilter(min);
   texture.mipFilter = toMipFilter(min);
-  real.GetTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, glm::value_ptr(texture.borderColor));
-  readLod(real, has, target, texture);
-  if (has.anisotropy) real.GetTexParameterfv(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, &texture.maxAnisotropy);
+  parameters.read(GL_TEXTURE_BORDER_COLOR, glm::value_ptr(texture.borderColor));
+  readLod(real, has, parameters, texture);
+  if (has.anisotropy) parameters.read(GL_TEXTURE_MAX_ANISOTROPY_EXT, &texture.maxAnisotropy);
   if (texture.maxAnisotropy > 1 && !isKnownAnisotropy(real, target, texture))
     return Reason::textureAnisotropy;
   texture.seamless =

@@ -8,8 +8,11 @@
 
 namespace gluray::gl {
 
-/// Reads the sampling parameters of the texture bound to `target` of the active unit. Returns Reason::traced,
-/// or why one of them cannot be traced.
+/// The sampler object of the active unit; 0: none.
+GLuint samplerOf(const RealGl& real);
+
+/// Reads the sampling parameters of the texture bound to `target` of the active unit, or of the unit's
+/// sampler object, which replace them. Returns Reason::traced, or why one of them cannot be traced.
 Reason readSampling(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture);
 
 /// Whether the texture bound to `target` of the active unit has a swizzle other than the identity.

@@ -13,7 +13,7 @@ std::shared_ptr<const scene::VoxelGrid> TextureCache::voxels(const RealGl& real,
   ActiveUnit active(real);
   active.select(static_cast<GLenum>(GL_TEXTURE0 + unit));
   why = "the sampling parameters of its texture are not traced";
-  if (isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0) return nullptr;
+  if (samplerOf(real) != 0) return nullptr;
   sampling.target = scene::TextureTarget::texture3D;
   if (readSampling(real, has, GL_TEXTURE_3D, sampling) != Reason::traced ||
       sampling.mipFilter != scene::MipFilter::none || sampling.magFilter != sampling.minFilter)
@@ -30,7 +30,7 @@ std::shared_ptr<const scene::VoxelGrid> TextureCache::voxels(const RealGl& real,
 bool TextureCache::depths(const RealGl& real, const RareState& has, GLint unit, DepthTexture& out) {
   ActiveUnit active(real);
   active.select(static_cast<GLenum>(GL_TEXTURE0 + unit));
-  if (isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0) return false;
+  if (samplerOf(real) != 0) return false;
   return readDepthTexture(real, has, out);
 }
 

@@ -26,7 +26,7 @@ using Pixels = std::vector<uint32_t>;
 const glm::vec4 kEmpty{0}, kBackground{0.2f, 0.4f, 0.6f, 0};
 
 /// A lit white plate about (x, y, 0).
-void plateAt(Gl gl, float x, float y, float half = 0.4f) {
+void cardAt(Gl gl, float x, float y, float half = 0.4f) {
   gl.Enable(GL_LIGHTING), gl.Enable(GL_LIGHT0), gl.Normal3f(0, 1, 0);
   quad(gl, {x - half, y, half}, {x + half, y, half}, {x + half, y, -half}, {x - half, y, -half});
   gl.Disable(GL_LIGHTING);
@@ -34,9 +34,9 @@ void plateAt(Gl gl, float x, float y, float half = 0.4f) {
 
 /// What the ranks' data are: two batches, because the second one is offset.
 void drawData(Gl gl) {
-  plateAt(gl, -0.7f, 0.3f);
+  cardAt(gl, -0.7f, 0.3f);
   gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(1, 1);
-  plateAt(gl, 0.6f, 0.6f, 0.3f);
+  cardAt(gl, 0.6f, 0.6f, 0.3f);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 

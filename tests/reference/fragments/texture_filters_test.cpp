@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 namespace gluray::test {
@@ -47,16 +48,33 @@ void textureFor(Gl gl, const FilterCase& c) {
   else
     gl.TexImage2D(c.target, 0, c.format, c.width, c.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
   if (c.smallest != GL_LINEAR && c.smallest != GL_NEAREST) gl.GenerateMipmap(c.target);
-  gl.TexParameteri(c.target, GL_TEXTURE_MIN_FILTER, c.smallest);
-  gl.TexParameteri(c.target, GL_TEXTURE_MAG_FILTER, c.largest);
-  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-    gl.TexParameteri(c.target, axis, c.wrap);
   gl.Enable(c.target);
 }
 
+constexpr GLenum kWraps[] = {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
+
+/// Filters and wrap modes of the texture.
+void filterByTexture(Gl gl, const FilterCase& c) {
+  gl.TexParameteri(c.target, GL_TEXTURE_MIN_FILTER, c.smallest);
+  gl.TexParameteri(c.target, GL_TEXTURE_MAG_FILTER, c.largest);
+  for (const GLenum axis : kWraps) gl.TexParameteri(c.target, axis, c.wrap);
+}
+
+/// The same of a sampler object, with others of the texture.
+void filterBySampler(Gl gl, const FilterCase& c) {
+  filterByTexture(
+      gl, {.target = c.target, .wrap = GL_CLAMP_TO_EDGE, .smallest = GL_NEAREST, .largest = GL_NEAREST});
+  GLuint sampler = 0;
+  gl.GenSamplers(1, &sampler), gl.BindSampler(0, sampler);
+  gl.SamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, c.smallest);
+  gl.SamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, c.largest);
+  for (const GLenum axis : kWraps) gl.SamplerParameteri(sampler, axis, c.wrap);
+}
+
 /// A tilted card.
-void drawFilterCase(Gl gl, const FilterCase& c) {
+void drawFilterCase(Gl gl, const FilterCase& c, void (*filter)(Gl gl, const FilterCase& c)) {
   textureFor(gl, c);
+  filter(gl, c);
   gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
   const float scale = c.target == GL_TEXTURE_RECTANGLE ? static_cast<float>(c.width) : 1;
   const bool cube = c.target == GL_TEXTURE_CUBE_MAP;
@@ -75,17 +93,29 @@ void drawFilterCase(Gl gl, const FilterCase& c) {
 
 class TextureFilters : public testing::TestWithParam<FilterCase> {};
 
+BothStage stageOf(const FilterCase& c) {
+  return {.folder = "texture_filters",
+          .prepare =
+              [](Gl gl) {
+                gl.Enable(GL_DEPTH_TEST);
+                gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+              },
+          .tolerance = {c.color, 0.01, 1e-5f,
+                        "the last bits of coordinates decide how a few weights are rounded"}};
+}
+
 TEST_P(TextureFilters, RoundAsTheRealOpenGl) {
-  const BothStage stage{.folder = "texture_filters",
-                        .prepare =
-                            [](Gl gl) {
-                              gl.Enable(GL_DEPTH_TEST);
-                              gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-                            },
-                        .tolerance = {GetParam().color, 0.01, 1e-5f,
-                                      "the last bits of coordinates decide how a few weights are rounded"}};
-  const auto counts = compareBoth(stage, GetParam().name, [](Gl gl) { drawFilterCase(gl, GetParam()); });
+  const FilterCase& c = GetParam();
+  const auto counts = compareBoth(stageOf(c), c.name, [&](Gl gl) { drawFilterCase(gl, c, filterByTexture); });
   EXPECT_EQ(counts.drawsTraced, 1u);
+}
+
+TEST_P(TextureFilters, AreTheSameBySamplerObjects) {
+  const FilterCase& c = GetParam();
+  const auto counts = compareBoth(stageOf(c), std::string("sampler_") + c.name,
+                                  [&](Gl gl) { drawFilterCase(gl, c, filterBySampler); });
+  const bool refused = c.target == GL_TEXTURE_CUBE_MAP || c.target == GL_TEXTURE_RECTANGLE;
+  EXPECT_EQ(counts.drawsTraced, refused ? 0u : 1u);
 }
 
 const FilterCase kFilterCases[] = {
@@ -131,6 +161,37 @@ const FilterCase kFilterCases[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Cases, TextureFilters, testing::ValuesIn(kFilterCases),
                          [](const auto& info) { return std::string(info.param.name); });
+
+/// The sampler object of each card is another one, or has changed.
+void drawChangingSamplers(Gl gl) {
+  const FilterCase usual{"usual"};
+  textureFor(gl, usual), filterByTexture(gl, usual);
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  GLuint samplers[2] = {};
+  gl.GenSamplers(2, samplers);
+  for (const GLuint sampler : samplers) gl.SamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  float x = -0.9f;
+  const auto card = [&] {
+    gl.Begin(GL_QUADS);
+    gl.TexCoord2f(-0.5f, 0), gl.Vertex3f(x, -0.5f, 0), gl.TexCoord2f(1.5f, 0),
+        gl.Vertex3f(x + 0.3f, -0.5f, 0);
+    gl.TexCoord2f(1.5f, 2), gl.Vertex3f(x + 0.3f, 0.5f, 0.2f), gl.TexCoord2f(-0.5f, 2),
+        gl.Vertex3f(x, 0.5f, 0.2f);
+    gl.End();
+    x += 0.36f;
+  };
+  card();
+  gl.BindSampler(0, samplers[0]), card();
+  gl.SamplerParameteri(samplers[0], GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE), card();
+  gl.SamplerParameteri(samplers[1], GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl.BindSamplers(0, 1, &samplers[1]), card();
+  gl.DeleteSamplers(1, &samplers[1]), card();  // unbinds it
+}
+
+TEST(SamplerObjects, AreThoseOfEachDraw) {
+  const auto counts = compareBoth(stageOf({"changing"}), "sampler_changing", drawChangingSamplers);
+  EXPECT_EQ(counts.drawsTraced, 5u);
+}
 
 }  // namespace
 }  // namespace gluray::test
