@@ -1,4 +1,4 @@
-// Rectangles that the real OpenGL draws: their values at the pixels depend on where it splits them.
+// Rectangles and quads that the real OpenGL draws: their values at the pixels depend on where it splits them.
 #include "tests/reference/both.h"
 #include "tests/reference/programs/program_stage.h"
 
@@ -45,6 +45,31 @@ TEST(Rectangles, OfShaderProgramsAreThoseOfTheRealOpenGl) {
     gl.EndList();
     gl.CallList(list);
   });
+}
+
+/// A few quads whose colours show the diagonal, without depth test: GLuRay leaves them to the real OpenGL.
+TEST(Quads, WithIndicesAreSplitAsWithoutGluray) {
+  static constexpr float kPlaces[] = {-0.9f, -0.9f, -0.1f, -0.9f, -0.1f, 0.9f, -0.9f, 0.9f,
+                                      0.1f,  -0.9f, 0.9f,  -0.9f, 0.9f,  0.9f, 0.1f,  0.9f};
+  static constexpr float kColors[] = {1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1};
+  static constexpr GLushort kIndices[] = {0, 1, 2, 3, 4, 5, 6, 7};
+  const auto draw = [](bool indices) {
+    return [indices](scenes::Gl gl) {
+      gl.VertexPointer(2, GL_FLOAT, 0, kPlaces), gl.EnableClientState(GL_VERTEX_ARRAY);
+      gl.ColorPointer(3, GL_FLOAT, 0, kColors), gl.EnableClientState(GL_COLOR_ARRAY);
+      if (indices)
+        gl.DrawElements(GL_QUADS, 8, GL_UNSIGNED_SHORT, kIndices);
+      else
+        gl.DrawArrays(GL_QUADS, 0, 8);
+      gl.DisableClientState(GL_VERTEX_ARRAY), gl.DisableClientState(GL_COLOR_ARRAY);
+    };
+  };
+  const BothStage stage{
+      .folder = "rectangles",
+      .prepare = [](scenes::Gl gl) { gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); },
+      .tolerance = {.color = 0, .edgeShare = 0, .depth = 0, .reason = "one OpenGL draws both"}};
+  compareBoth(stage, "quads_with_indices", draw(true));
+  compareBoth(stage, "quads_without_indices", draw(false));
 }
 
 }  // namespace

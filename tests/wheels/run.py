@@ -43,6 +43,8 @@ LIBRARIES = (
     Library("pyqtgraph", ("pyqtgraph", "pyqt6", "pyopengl", "numpy"), "pyqtgraph_scenes.py"),
     Library("polyscope", ("polyscope", "numpy"), "polyscope_scenes.py"),
     Library("gmsh", ("gmsh",), "gmsh_scenes.py", ("--shading", "vertex")),
+    Library("MuJoCo", ("mujoco", "pillow"), "mujoco_scenes.py", ("--shading", "vertex")),
+    Library("Panda3D", ("panda3d",), "panda3d_scenes.py", ("--shading", "vertex")),
     Library("pyrender", ("pyrender", "trimesh", "pillow", "numpy"), "pyrender_scenes.py"),
 )
 

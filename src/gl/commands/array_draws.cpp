@@ -65,7 +65,9 @@ namespace {
 bool joinsRun(Context& c, GLenum mode, const Elements& e) {
   const bool plain = e.instances < 0 && mode <= GL_POLYGON && c.shadow.arrays().reason == Reason::traced &&
                      c.shadow.arrays().vertex.enabled;
-  if (!plain || e.count > kSmall || c.shadow.isRestarted(c.shadow.arrays(), e) ||
+  // The run may be drawn again without indices, and llvmpipe then splits quads along the other diagonal.
+  const bool splits = mode == GL_QUADS && e.type;
+  if (!plain || splits || e.count > kSmall || c.shadow.isRestarted(c.shadow.arrays(), e) ||
       c.classifier.classify(classOf(mode)) != Reason::traced)
     return false;
   const Reason joined = c.failsafe.attempt([&] {

@@ -47,7 +47,7 @@ void fixedIndex(Gl gl, twenty_points::Seen&) {
   gl.DrawElements(GL_TRIANGLES, kVertices, GL_UNSIGNED_SHORT, nullptr);
   gl.Translatef(0, 0, 0.2f);
   gl.DrawElements(GL_TRIANGLES, 30, GL_UNSIGNED_SHORT, nullptr);  // so few that they are captured one by one
-  gl.DrawArrays(GL_TRIANGLES, 60, 180);  // together with those
+  gl.DrawArrays(GL_TRIANGLES, 60, 180);                           // together with those
 }
 
 void fixedIndexThatIsNamed(Gl gl, twenty_points::Seen&) {

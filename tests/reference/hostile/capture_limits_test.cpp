@@ -142,6 +142,7 @@ TEST(CaptureLimits, UnusualSamplingIsRasterised) {
         GLuint sampler = 0;
         gl.GenSamplers(1, &sampler), gl.BindSampler(0, sampler);
         gl.SamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl.SamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
       },
   };
   for (const auto form : forms) {

@@ -16,14 +16,15 @@
 namespace gluray::test {
 namespace {
 
-/// "statements" or "blocks" of a section of spec/programs.
-std::string codeOf(std::string_view section, const char* key) {
+/// "statements" or "blocks" of the `n`th section of that name in spec/programs.
+std::string codeOf(std::string_view section, const char* key, int n = 1) {
   for (const auto& [file, text] : gl::kBuiltInFamilyFiles) {
     const toml::table root = parseToml(text, file);
     const toml::array* sections = root["code"].as_array();
     for (size_t i = 0; sections && i < sections->size(); ++i) {
       const toml::table& one = *(*sections)[i].as_table();
-      if (one.at("name").value_or(std::string_view()) == section) return one.at(key).value_or(std::string());
+      if (one.at("name").value_or(std::string_view()) == section && --n == 0)
+        return one.at(key).value_or(std::string());
     }
   }
   ADD_FAILURE() << section;
@@ -85,11 +86,13 @@ struct PyMolCase {
   const char* zero = nullptr;  // a boolean that is 1 otherwise
   const char* one = nullptr;   // a number that is 0 otherwise
   int traced = 1;
+  bool named = false;  // the structures of lights have names, as in PyMOL 3
 };
 void PrintTo(const PyMolCase& c, std::ostream* out) { *out << c.name; }
 
 const PyMolCase kPyMolCases[] = {
     {"surface"},
+    {.name = "surface_of_3", .named = true},
     {"surface_clear", true, false},
     {"surface_one_light", true, true, false, 1},
     {"surface_eight_lights", true, true, false, 8},
@@ -107,6 +110,8 @@ const PyMolCase kPyMolCases[] = {
 GLuint pyMolProgram(Gl gl, const PyMolCase& c) {
   const char* const section = c.surface ? "PyMOL surface" : "PyMOL default";
   const std::string lights = codeOf("PyMOL lights", "statements");
+  const std::string structures = c.named ? codeOf("PyMOL lights", "statements", 2)
+                                         : lights.substr(0, lights.find("vec2 ComputeLighting"));
   const std::string varyings =
       "varying vec3 packed_data_0; varying float fog; varying vec2 bgTextureLookup;\n";
   const std::string vertex =
@@ -125,7 +130,7 @@ GLuint pyMolProgram(Gl gl, const PyMolCase& c) {
                                "shininess_0, spec_value, spec_value_0;\n" +
                                codeOf("PyMOL effects", "statements") +
                                codeOf(c.cue ? "PyMOL depth cue" : "PyMOL no depth cue", "blocks") +
-                               lights.substr(0, lights.find("vec4 ApplyLighting")) +
+                               structures + functionAt(lights, "vec2 ComputeLighting", 1) +
                                functionAt(lights, "vec4 ApplyLighting", c.lights) + "void main() {\n" +
                                blockOf(section, 1) + "}\n";
   return makeProgram(gl, vertex, fragment);
