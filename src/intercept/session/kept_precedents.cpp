@@ -45,7 +45,7 @@ class Memory {
  public:
   std::shared_ptr<gl::Precedents> of(const Engines& engines) {
     const std::lock_guard lock(mutex_);
-    std::call_once(once_, [&] { load(); });
+    if (!std::exchange(loaded_, true)) load();
     for (const Known& known : known_)
       if (known.engines == engines) return known.precedents;
     return known_.emplace_back(Known{engines, today(), {}, std::make_shared<gl::Precedents>()}).precedents;
@@ -101,7 +101,7 @@ class Memory {
   static void keep() noexcept;
 
   std::mutex mutex_;
-  std::once_flag once_;
+  bool loaded_ = false;
   fs::path file_;
   std::vector<Known> known_;
 };
