@@ -76,6 +76,33 @@ class Ranks(Parts):
         self.assertEqual(kinds[0], kinds[2])
 
 
+class Lines(Parts):
+    """What several ranks would say."""
+
+    def said_by_ranks(self, ranks, *options, **variables):
+        """The lines of GLuRay on standard error of all ranks, each of which draws a frame."""
+        root = ["--allow-run-as-root"] if os.getuid() == 0 else []
+        words = " ".join(f"'{word}'" for word in (self.gluray, *options, "--", self.client))
+        done = subprocess.run(["mpirun", "-n", str(ranks), "--oversubscribe", *root, "sh", "-c", f"echo frame | {words}"], timeout=120, check=False,
+                              env=dict(self.environment, **variables), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        return [line for line in done.stderr.splitlines() if line.startswith("gluray: ")]
+
+    def test_a_wrong_variable_is_named_once(self):
+        for _ in range(2):  # a later job says it again
+            line, = self.said_by_ranks(8, GLURAY_SPP="many")
+            self.assertRegex(line, r"GLURAY_SPP.*many.* \(rank \d of 8; once on this host\)$")
+
+    def test_a_wrong_option_is_named_once(self):
+        line, = self.said_by_ranks(8, "--set", "spp=many")
+        self.assertRegex(line, r"spp.* \(rank \d of 8; once on this host\)$")
+
+    def test_one_process_says_its_lines_as_they_are(self):
+        done = subprocess.run([self.gluray, "--", self.client], input="frame\n", text=True, capture_output=True, timeout=60, check=False,
+                              env=dict(self.environment, GLURAY_SPP="many"))
+        self.assertNotIn("rank", done.stderr)
+        self.assertIn("GLURAY_SPP", done.stderr)
+
+
 if __name__ == "__main__":
     if not shutil.which("mpirun"):
         sys.exit(77)
