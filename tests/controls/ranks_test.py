@@ -1,4 +1,5 @@
 """An MPI job of the real mpirun: ranks_test.py GLURAY CLIENT, with an X server at hand. Exits with 77 where mpirun is missing."""
+import json
 import os
 import shutil
 import subprocess
@@ -101,6 +102,12 @@ class Lines(Parts):
                               env=dict(self.environment, GLURAY_SPP="many"))
         self.assertNotIn("rank", done.stderr)
         self.assertIn("GLURAY_SPP", done.stderr)
+
+    def test_ranks_without_workers_write_reports_of_their_own(self):
+        self.said_by_ranks(3, "--report", str(self.folder / "run.json"))
+        self.assertEqual({path.name for path in self.folder.glob("run.json*")}, {"run.json", "run.json.rank1", "run.json.rank2"})
+        for path in self.folder.glob("run.json*"):
+            self.assertNotIn("ranks", json.loads(path.read_text()))
 
 
 if __name__ == "__main__":
