@@ -30,6 +30,7 @@ enum class Command {
   unset,
   preset,
   watch,
+  top,
   undo,
   redo,
   panel,

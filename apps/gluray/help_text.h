@@ -34,6 +34,7 @@ Commands for running programs:
   gluray undo              undo the last change; gluray redo repeats it
   gluray get --live NAME   the value of a setting in the running programs
   gluray watch             print changes of settings, and programs that start or end
+  gluray top               what programs and the ranks of MPI programs spend, once a second
   gluray shot FILE.png     save the image of a program's window; with --size in any size
   gluray save FILE         save what a program shows as a scene (.gluray), glTF (.glb), .obj or .ply
   gluray film FILE.png     save the next frames of a window as numbered images

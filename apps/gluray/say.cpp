@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "base/guarded_write.h"
 #include "base/printable.h"
+#include "control/link/said_once.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,9 @@ namespace gluray::launcher {
 
 void say(const std::string& text) {
   constexpr int kPatienceMs = 100;
-  const std::string line = "gluray: " + printable(text) + "\n";
+  std::string said = text;
+  if (!control::saysLineHere(said)) return;
+  const std::string line = "gluray: " + printable(said) + "\n";
   const GlurayOutput out = glurayOutputOf(STDERR_FILENO);
   int error = 0;
   glurayWrite(&out, line.data(), line.size(), kPatienceMs, &error);

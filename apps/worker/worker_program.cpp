@@ -3,6 +3,7 @@
 #include "accel/memory/free_memory.h"
 #include "base/environment_variable.h"
 #include "base/files.h"
+#include "base/processes/usable_cores.h"
 #include "cluster/program/worker_link.h"
 #include "cluster/worker/worker.h"
 #include "control/listening_place.h"
@@ -41,14 +42,12 @@ int fail(const std::string& why) {
   return 1;
 }
 
-/// As many as the machine has for each of its ranks; launchers that bind ranks to cores have seen to that.
+/// What batch systems say, or the machine's share of each of its ranks.
 int threadsFor(const cluster::Ranks& ranks, int wanted) {
   if (wanted > 0) return wanted;
-  cpu_set_t allowed;
-  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return 0;
-  const int here = CPU_COUNT(&allowed);
-  const auto all = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
-  return here < all ? here : std::max(here / std::max(ranks.sizeHere(), 1), 1);
+  Surroundings here = surroundingsOfThisProcess();
+  here.ranksHere = std::max(ranks.sizeHere(), 1);
+  return chosenThreads(0, here).threads;
 }
 
 /// What is free for each of the machine's ranks, but for a quarter.

@@ -1,11 +1,13 @@
 #include "base/log.h"
 
 #include "base/files.h"
+#include "base/log_filter.h"
 #include "base/never_destroyed.h"
 #include "base/printable.h"
 
 #include <unistd.h>
 
+#include <atomic>
 #include <deque>
 #include <mutex>
 #include <set>
@@ -25,6 +27,7 @@ struct State {
 };
 
 thread_local Run t_run = nullptr;
+std::atomic<Filter> g_filter{nullptr};
 
 State& state() {
   static NeverDestroyed<State> state;
@@ -65,6 +68,13 @@ void writeLine(State& s, std::string_view message) {
   writeError(line);
 }
 
+/// Whether the line is written, and in which words.
+bool passes(const State& s, Level level, std::string_view message, std::string& changed) {
+  changed = message;
+  const Filter filter = s.file.isOpen() || level < Level::warning ? nullptr : g_filter.load();
+  return !filter || filter(changed);
+}
+
 void keep(std::deque<std::string>& recent, std::string_view message) {
   constexpr size_t kMaxQuotedBytes = 400;
   recent.emplace_back(printable(message.substr(0, kMaxQuotedBytes)));
@@ -101,7 +111,8 @@ void write(Level level, std::string_view message) noexcept {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     if (level == Level::off) return;
-    if (level >= s.level) byWriter([&] { writeLine(s, message); });
+    std::string changed;
+    if (level >= s.level && passes(s, level, message, changed)) byWriter([&] { writeLine(s, changed); });
     if (level >= Level::warning) keep(s.recent, message);
   } catch (...) {  // drop the line
   }
@@ -130,6 +141,8 @@ void once(Level level, std::string_view key, std::string_view message) noexcept 
     write(level, message);
   } catch (...) {}
 }
+
+void filterBy(Filter filter) noexcept { g_filter = filter; }
 
 void writeBy(Run run) noexcept { t_run = run; }
 

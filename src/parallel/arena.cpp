@@ -2,6 +2,7 @@
 
 #include "base/never_destroyed.h"
 #include "base/processes/address_space.h"
+#include "base/processes/usable_cores.h"
 
 #include <tbb/info.h>
 #include <tbb/task_scheduler_observer.h>
@@ -31,13 +32,13 @@ class Arena::Observer : public tbb::task_scheduler_observer {
 
 namespace {
 
-/// At most one thread per core: more would not help, and TBB would warn on stderr. Fewer where limits of the
-/// process leave little address space, most of which the real OpenGL needs.
+/// At most one thread per core that the system grants: more would not help, and TBB would warn on stderr.
+/// Fewer where limits of the process leave little address space, most of which the real OpenGL needs.
 int threadsWithin(int threads) {
-  const int cores = tbb::info::default_concurrency();
-  const int wanted = threads > 0 ? std::min(threads, cores) : cores;
+  const int all = tbb::info::default_concurrency(), cores = std::min(all, mostThreadsHere());
+  const int wanted = std::min(threads > 0 ? threads : chosenThreadsHere(), cores);
   const unsigned long long left = glurayAddressSpaceLeft();
-  if (left == ULLONG_MAX) return threads > 0 ? wanted : tbb::task_arena::automatic;
+  if (left == ULLONG_MAX) return threads > 0 || wanted < all ? wanted : tbb::task_arena::automatic;
   const unsigned long long kept = glurayFrameReserve,
                            each = (unsigned long long){glurayThreadMegabytes} << 20;
   const unsigned long long more = left > kept ? (left - kept) / each : 0;

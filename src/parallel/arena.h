@@ -13,7 +13,7 @@ namespace gluray {
 /// A pool of `threads` threads, the caller included. Workers block every signal of the host program.
 class Arena {
  public:
-  /// `threads` 0: as many as the process may use.
+  /// `threads` 0: as many as the process should use (base/processes/usable_cores.h).
   explicit Arena(int threads);
   ~Arena();
   Arena(const Arena&) = delete;
@@ -40,7 +40,7 @@ enum class ArenaUse : uint8_t {
   other,   // building meshes, putting finished images into windows
 };
 
-/// The process's arena for that use, of `threads` threads (0: as many as the process may use). Made at the
+/// The process's arena for that use, of `threads` threads (0: as many as the process should use). Made at the
 /// first call, and again when the number changes. Any thread.
 std::shared_ptr<Arena> arenaFor(ArenaUse use, int threads);
 

@@ -16,7 +16,7 @@ using Complain = std::function<void(const std::string& line)>;
 /// use `allowed` of them. 0 (all that it may use) if it runs alone or is bound to cores of its own.
 int threadsOfRank(int cores, int allowed, int ranks);
 
-/// threadsOfRank() for this process, from its affinity and the variables of MPI launchers.
+/// The same for this process. What batch systems say comes first (base/processes/usable_cores.h).
 int threadsOfThisRank();
 
 /// The settings of this process from all layers (settings/layers/settings_layers.h). Reports each unreadable

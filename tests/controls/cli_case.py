@@ -30,3 +30,9 @@ class CliCase(HubCase):
         done = self.run_gluray(*words)
         self.assertEqual((done.returncode, done.stderr[:8], done.stderr.count("\n")), (code, "gluray: ", 1), done)
         return done.stderr[8:-1]
+
+    def watch(self, *words, command="watch"):
+        process = subprocess.Popen([GLURAY, command, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=self.environment, cwd=self.folder)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        return process

@@ -128,68 +128,9 @@ class Cli(CliCase):
         self.assertEqual(json.loads(self.output("get", "-p", "1", "--json")),
                          [{"program": 1, "name": "paraview", "pid": 4242, "values": {"ao": {"value": True, "layer": "live", "place": ""}}}])
 
-    def watch(self, *words):
-        process = subprocess.Popen([GLURAY, "watch", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=self.environment, cwd=self.folder)
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        return process
-
-    def until_observed(self, hub):
-        end = time.monotonic() + 20
-        while not any(r["type"] == "observe" for r in hub.requests) and time.monotonic() < end:
-            time.sleep(0.01)
-        time.sleep(0.1)  # its list
-
-    def test_watch(self):
-        hub, first, second = self.two()
-        watch = self.watch()
-        self.until_observed(hub)
-        self.output("set", "-p", "1", "ao=on")
-        self.assertEqual(watch.stdout.readline(), "paraview (4242): ao = true  (live)\n")
-        hub.add("glxgears", 5)
-        self.assertEqual(watch.stdout.readline(), "glxgears (5): started\n")
-        hub.remove(second)
-        self.assertEqual(watch.stdout.readline(), "vmd (77): ended\n")
-        watch.send_signal(signal.SIGINT)
-        self.assertEqual((watch.wait(20), watch.stderr.read()), (0, ""))
-
-    def test_watch_as_json(self):
-        hub, first, _ = self.two()
-        watch = self.watch("--json", "--state", "-p", "1", "spp")
-        self.until_observed(hub)
-        self.output("set", "spp=4", "ao=on")
-        self.assertEqual(json.loads(watch.stdout.readline()), {"what": "settings", "program": 1, "name": "paraview", "pid": 4242,
-                                                               "values": {"spp": {"value": 4, "layer": "live", "place": ""}}})
-        hub.tell({"type": "event", "what": "state", "program": 1, "state": {"frame": 3}})
-        self.assertEqual(json.loads(watch.stdout.readline())["state"], {"frame": 3})
-        watch.send_signal(signal.SIGTERM)
-        self.assertEqual(watch.wait(20), 0)
-
-    def test_watch_state(self):
-        hub, first, _ = self.two()
-        watch = self.watch("--state")
-        self.until_observed(hub)
-        self.assertEqual([(r["what"], r["every"]) for r in hub.requests if r["type"] == "observe"], [(["settings", "programs", "state"], 1)])
-        hub.tell({"type": "event", "what": "state", "program": 1, "state": {
-            "frame": 1042, "fps": 23.96, "triangles": 1000000, "traced": 0.985, "memory": 512345678, "noise": 0.0123, "passes": 14, "building": True,
-            "progress": {"share": 0.437, "noise": 0.0123, "secondsLeft": 12.4}}})
-        self.assertEqual(watch.stdout.readline(), "paraview (4242): frame 1042, 24.0 fps, 1 000 000 triangles, 98.5 % traced, 512 MB, noise 0.0123, "
-                                                  "14 passes, 44 % refined, 12 s left, building a better structure\n")
-        hub.tell({"type": "event", "what": "state", "program": 1, "state": {"frame": "x", "fps": 0, "traced": None, "triangles": -3, "memory": 1e300}})
-        self.assertEqual(watch.stdout.readline(), "paraview (4242): 0.0 fps, 0 triangles\n")
-        hub.end()
-        self.assertEqual(watch.wait(20), 1)
-        self.assertIn("the connection to the hub ended", watch.stderr.read())
-
-    def test_watch_ends_in_time(self):
-        self.hub()
-        begin = time.monotonic()
-        self.assertEqual(self.output("watch", "--seconds", "0.3"), "")
-        self.assertLess(0.25, time.monotonic() - begin)
-
     def test_no_program(self):
         self.hub()
-        for words in (["list"], ["set", "spp=4"], ["undo"], ["get", "--live"], ["get", "-p", "all"]):
+        for words in (["list"], ["set", "spp=4"], ["undo"], ["top", "--once"], ["top"], ["get", "--live"], ["get", "-p", "all"]):
             self.assertEqual(self.failure(*words), ALONE)
         self.assertEqual(self.run_gluray("list", "--json").stdout, "[]\n")
 

@@ -1,4 +1,5 @@
 """An MPI job of the real mpirun: ranks_test.py GLURAY CLIENT, with an X server at hand. Exits with 77 where mpirun is missing."""
+import json
 import os
 import shutil
 import subprocess
@@ -74,6 +75,39 @@ class Ranks(Parts):
         kinds = [one for i, (one, _) in enumerate(self.images) if i == 0 or one != self.images[i - 1][0]]
         self.assertEqual(len(kinds), 3, self.images)
         self.assertEqual(kinds[0], kinds[2])
+
+
+class Lines(Parts):
+    """What several ranks would say."""
+
+    def said_by_ranks(self, ranks, *options, **variables):
+        """The lines of GLuRay on standard error of all ranks, each of which draws a frame."""
+        root = ["--allow-run-as-root"] if os.getuid() == 0 else []
+        words = " ".join(f"'{word}'" for word in (self.gluray, *options, "--", self.client))
+        done = subprocess.run(["mpirun", "-n", str(ranks), "--oversubscribe", *root, "sh", "-c", f"echo frame | {words}"], timeout=120, check=False,
+                              env=dict(self.environment, **variables), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        return [line for line in done.stderr.splitlines() if line.startswith("gluray: ")]
+
+    def test_a_wrong_variable_is_named_once(self):
+        for _ in range(2):  # a later job says it again
+            line, = self.said_by_ranks(8, GLURAY_SPP="many")
+            self.assertRegex(line, r"GLURAY_SPP.*many.* \(rank \d of 8; once on this host\)$")
+
+    def test_a_wrong_option_is_named_once(self):
+        line, = self.said_by_ranks(8, "--set", "spp=many")
+        self.assertRegex(line, r"spp.* \(rank \d of 8; once on this host\)$")
+
+    def test_one_process_says_its_lines_as_they_are(self):
+        done = subprocess.run([self.gluray, "--", self.client], input="frame\n", text=True, capture_output=True, timeout=60, check=False,
+                              env=dict(self.environment, GLURAY_SPP="many"))
+        self.assertNotIn("rank", done.stderr)
+        self.assertIn("GLURAY_SPP", done.stderr)
+
+    def test_ranks_without_workers_write_reports_of_their_own(self):
+        self.said_by_ranks(3, "--report", str(self.folder / "run.json"))
+        self.assertEqual({path.name for path in self.folder.glob("run.json*")}, {"run.json", "run.json.rank1", "run.json.rank2"})
+        for path in self.folder.glob("run.json*"):
+            self.assertNotIn("ranks", json.loads(path.read_text()))
 
 
 if __name__ == "__main__":

@@ -120,7 +120,7 @@ def check_completion(file: pathlib.Path, gluray: pathlib.Path) -> None:
     for words, wanted in cases:
         if wanted not in (got := completions(file, *words)):
             fail(f"'{' '.join(words)}' is completed to {got}, not to {wanted}")
-    for command in ("run", "explain", "doctor", "quirks", "settings", "timeline", "environment", "uninstall", "report-bug", "list", "set", "unset", "preset", "undo", "redo", "watch", "hub", "view"):
+    for command in ("run", "explain", "doctor", "quirks", "settings", "timeline", "environment", "uninstall", "report-bug", "list", "set", "unset", "preset", "undo", "redo", "watch", "top", "hub", "view"):
         help_text = run(gluray, command, "--help").stdout
         options = set(re.findall(r"(?:^ +|,)(--[a-z-]+)", help_text, re.MULTILINE))
         offered = completions(file, "gluray", command, "--")

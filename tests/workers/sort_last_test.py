@@ -1,5 +1,6 @@
 """Light across the ranks of pvbatch, whose workers ask each other, or gather what all ranks draw: sort_last_test.py GLURAY WORKER, with an X
 server at hand. Exits with 77 where pvbatch, Open MPI or ImageMagick is missing."""
+import json
 import os
 import pathlib
 import shutil
@@ -69,6 +70,19 @@ class Images:
         return process, log
 
 
+def check_report(path, asks):
+    """Rank 0's report has a row for each rank. `asks`: light crosses their borders, so that times of light are known."""
+    report = json.loads(path.read_text())
+    rows = report["ranks"]
+    print(f"{path.name}: {report['limit']}; {[(row['state'], row['ms']) for row in rows]}")
+    assert [row["rank"] for row in rows] == [0, 1] and report["workers"] == "answer", report
+    assert all(row["state"] in ("connected", "ended") and row["memory"] > 1e6 and row["host"] for row in rows), rows
+    assert rows[0]["images"] > 0 and (rows[1]["images"] > 0 or not asks), rows
+    assert not asks or all(row["ms"]["eye"] > 0 and row["ms"]["light"] > 0 and row["bytes"]["sent"] > 0 for row in rows), rows
+    assert not asks or not report["limit"].startswith("not measured"), report["limit"]
+    assert not list(path.parent.glob(path.name + ".*")), "other ranks write no file"
+
+
 def check_light(images, name="occlusion"):
     """Two ranks with workers draw the image of one rank, and another one without workers."""
     images.light = [word for setting in LIGHTS[name] for word in ("--set", setting)]
@@ -76,7 +90,8 @@ def check_light(images, name="occlusion"):
     alone, _ = images.draw("alone", 2)
     job, log = images.job()
     try:
-        together, said = images.draw("together", 2, "--workers", "test")
+        report = images.folder / f"{name}.json"
+        together, said = images.draw("together", 2, "--workers", "test", "--report", report)
     finally:
         job.terminate()
         job.wait()
@@ -85,6 +100,7 @@ def check_light(images, name="occlusion"):
     assert without[1] > 0.05, "the scene shows nothing of other ranks"
     # Rays that graze the cut through a sphere meet it or not.
     assert across[0] < 0.1 and across[1] < 0.01, log.read_text() + said
+    check_report(report, asks=name == "occlusion")
     assert "does not" not in log.read_text() and "draws nothing" not in log.read_text(), log.read_text()
 
 

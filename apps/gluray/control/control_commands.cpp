@@ -10,6 +10,7 @@
 #include "control/scene/light.h"
 #include "control/scene/material.h"
 #include "control/scene/objects.h"
+#include "control/top.h"
 #include "control/values/change.h"
 #include "control/watch.h"
 
@@ -24,6 +25,7 @@ bool performControl(const CommandLine& line, int& exitCode) {
     case Command::undo:
     case Command::redo: exitCode = stepBackOrForth(line); return true;
     case Command::watch: exitCode = watchPrograms(line); return true;
+    case Command::top: exitCode = showTop(line); return true;
     case Command::shot: exitCode = saveShot(line); return true;
     case Command::save: exitCode = saveProgramsScene(line); return true;
     case Command::objects: exitCode = listObjects(line); return true;

@@ -21,7 +21,7 @@ constexpr CommandWord kWords[] = {
     {"redo", Command::redo},       {"panel", Command::panel},   {"shot", Command::shot},
     {"objects", Command::objects}, {"pick", Command::pick},     {"material", Command::material},
     {"light", Command::light},     {"camera", Command::camera}, {"film", Command::film},
-    {"save", Command::save}};
+    {"save", Command::save},       {"top", Command::top}};
 
 const char* wordOfCommand(Command command) {
   for (const CommandWord& known : kWords)
@@ -60,6 +60,13 @@ void describeWatch(CLI::App& app, CommandLine& line) {
   app.add_option("--seconds", line.control.seconds, "End after S seconds [never]")
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("S");
+}
+
+void describeTop(CLI::App& app, ControlOptions& options) {
+  app.description(
+      "Shows what running programs spend, once a second until Ctrl+C: a line for each program, or for each\n"
+      "rank of an MPI program whose images workers trace. With --json, each line is an object.");
+  app.add_flag("--once", options.once, "Print one table and exit");
 }
 
 }  // namespace
@@ -101,6 +108,7 @@ bool describeControl(CLI::App& app, CommandLine& line) {
     case Command::undo: app.description("Undoes the last change of settings in running programs."); break;
     case Command::redo: app.description("Repeats the change that was undone last."); break;
     case Command::watch: describeWatch(app, line); break;
+    case Command::top: describeTop(app, options); break;
     case Command::panel:
       app.description("Opens a window that shows running programs and changes their settings.");
       break;

@@ -33,6 +33,7 @@ struct ControlOptions {
   std::string hub, keyFile;                        // "HOST:PORT" and its key; empty: as the settings say
   bool live = false;   // get: ask the running programs, also where `programs` is empty
   bool state = false;  // watch: a line a second
+  bool once = false;   // top: one table
   double seconds = 0;  // watch, film: ends after that time; 0: never
 };
 

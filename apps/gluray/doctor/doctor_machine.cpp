@@ -1,15 +1,16 @@
 #include "doctor/doctor_machine.h"
 
+#include "base/processes/usable_cores.h"
 #include "doctor/host.h"
 #include "doctor/probe_context.h"
 #include "explain/watched_run.h"
 #include "programs/doors.h"
 #include "programs/library_walk.h"
 #include "programs/program.h"
+#include "settings/layers/settings_layers.h"
 #include "text_table.h"
 
 #include <poll.h>
-#include <sched.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -188,9 +189,12 @@ double gigabytes(const std::string& name) {
   return 0;
 }
 
-int usableCores() {
-  cpu_set_t set;
-  return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 0;
+/// How many threads trace, and what decides it.
+std::string threadsText(const Surroundings& here) {
+  const int wanted = readLayers(sourcesOfProcess(), [](const std::string&) {}).session.settings.threads;
+  const ThreadCount chosen = chosenThreads(wanted, here);
+  return std::to_string(chosen.threads) + (chosen.threads == 1 ? " thread traces: " : " threads trace: ") +
+         chosen.because;
 }
 
 }  // namespace
@@ -223,10 +227,11 @@ bool examineInstall(Diagnosis& diagnosis) {
 }
 
 void examineMachine(Diagnosis& diagnosis) {
-  diagnosis.ok("machine", std::to_string(usableCores()) + " of " +
-                              std::to_string(sysconf(_SC_NPROCESSORS_ONLN)) + " cores usable, " +
-                              fixed(gigabytes("MemTotal"), 1) + " GB of memory, " +
+  const Surroundings here = surroundingsOfThisProcess();
+  diagnosis.ok("machine", std::to_string(here.affinity) + " of " + std::to_string(here.hostCores) +
+                              " cores usable, " + fixed(gigabytes("MemTotal"), 1) + " GB of memory, " +
                               fixed(gigabytes("MemAvailable"), 1) + " GB of it free");
+  diagnosis.ok("threads", threadsText(here));
   const char* display = std::getenv("DISPLAY");
   if (display && *display)
     diagnosis.ok("display", display);

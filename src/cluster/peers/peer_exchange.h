@@ -9,6 +9,7 @@
 #include "cluster/peers/near_peer.h"
 #include "cluster/peers/part_changes.h"
 #include "cluster/peers/peer_depths.h"
+#include "cluster/peers/peer_times.h"
 #include "cluster/peers/tile_ledger.h"
 #include "render/effects/occlusion_answers.h"
 #include "render/moving/moving_tile_source.h"
@@ -56,6 +57,8 @@ class PeerExchange final : public render::MovingTileSource, public render::Remot
   void cancel();
   /// Ends all tracing.
   void close();
+  /// Of all images so far. Any thread.
+  const PeerTimes& times() const { return times_; }
 
   // The tracing thread.
   /// Begins the image of announce(). `traced` is called when the image is complete. `meets`: surfaces of
@@ -106,6 +109,12 @@ class PeerExchange final : public render::MovingTileSource, public render::Remot
   void refuseAll();
   bool isSilent(int rank, double now) const;
   size_t nearOf(int rank) const;  // near_.size(): none
+  /// When this thread began what it does for a tile; 0: it traces none.
+  static double& began();
+  /// Ends what this thread has done since began().
+  void spent(PeerTimes::Kind kind) noexcept;
+  /// Waits for a change, and counts the time.
+  void waitForPeers(Lock& lock);
   /// Of the tile that this thread traces; null: none, or light that was collected before is shown.
   static TileRecord*& record();
   int tileOf(const render::Tile& tile) const {
@@ -172,7 +181,8 @@ class PeerExchange final : public render::MovingTileSource, public render::Remot
   int columns_ = 0;   // of tiles
   TileLedger ledger_;
   std::vector<int> tiles_;  // of the image
-  size_t colored_ = 0;      // of them, or being coloured: of moving frames, once all are collected
+  PeerTimes times_;
+  size_t colored_ = 0;  // of them, or being coloured: of moving frames, once all are collected
 };
 
 }  // namespace gluray::cluster

@@ -65,6 +65,8 @@ bool PeerExchange::hasDepths() const noexcept { return record() && record()->isS
 bool PeerExchange::exchangeDepths(const render::Tile& tile, const Image& image) noexcept {
   TileRecord* const seen = record();
   if (!seen) return false;
+  spent(PeerTimes::eye);
+  began() = nowSeconds();  // of the light, unless the tile waits
   const int number = tileOf(tile), column = number % columns_, row = number / columns_;
   seen->see();
   try {
@@ -82,6 +84,7 @@ bool PeerExchange::exchangeDepths(const render::Tile& tile, const Image& image) 
       if (waiting_[i]++ == 0) heard_[static_cast<size_t>(near_[i].rank())] = nowSeconds();
     ledger_.park(number, std::move(awaited));
     record() = nullptr;
+    began() = 0;
     return true;
   } catch (const std::exception&) { return false; }  // no memory: lights what others may hide
 }

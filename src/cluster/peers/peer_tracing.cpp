@@ -22,6 +22,24 @@ TileRecord*& PeerExchange::record() {
   return record;
 }
 
+double& PeerExchange::began() {
+  thread_local double began = 0;
+  return began;
+}
+
+void PeerExchange::spent(PeerTimes::Kind kind) noexcept {
+  double& since = began();
+  if (since > 0) times_.add(kind, nowSeconds() - since);
+  since = 0;
+}
+
+void PeerExchange::waitForPeers(Lock& lock) {
+  const double since = nowSeconds();
+  const PeerTimes::Kind kind = ledger_.awaitsDepths() ? PeerTimes::depths : PeerTimes::answers;
+  changed_.wait(lock);
+  times_.add(kind, nowSeconds() - since);
+}
+
 void PeerExchange::beginEmpty(const scene::Snapshot& snapshot) {
   meet(snapshot, {glm::vec3(1), glm::vec3(0)}, nullptr);
 }
@@ -52,7 +70,9 @@ void PeerExchange::meet(const scene::Snapshot& snapshot, const accel::Bounds& bo
   answers_.reset();
   again_ = false, met_ = false;
   setScene(scene);
+  const double since = nowSeconds();
   while (!isCancelled() && !closed_ && meetings_.awaits(nowSeconds())) changed_.wait_for(lock, kLook);
+  times_.add(PeerTimes::scenes, nowSeconds() - since);
   for (const int rank : meetings_.newlyLate())
     say_(peerName(rank) + " draws nothing here: only the other ranks contribute to light effects");
   addNear();
@@ -126,14 +146,16 @@ int PeerExchange::nextTile() noexcept {
     const TileLedger::Work work = ledger_.takeWork();
     if (work.record) {
       record() = work.record;
+      began() = nowSeconds();
       return work.tile;
     }
     if (ledger_.isDone()) return -1;
-    changed_.wait(lock);
+    waitForPeers(lock);
   }
 }
 
 void PeerExchange::done(int tile, double, bool seenThrough) noexcept {
+  spent(PeerTimes::light);
   if (!record()) return;  // coloured: its light was collected before
   TileRecord& traced = *std::exchange(record(), nullptr);
   const std::lock_guard lock(mutex_);
@@ -158,7 +180,9 @@ bool PeerExchange::complete(render::VisibilityBuffer&) noexcept {
 int PeerExchange::nextToColor() noexcept {
   Lock lock(mutex_);
   while (!ends() && answersOne(lock)) {}
-  return ends() || colored_ == tiles_.size() ? -1 : tiles_[colored_++];
+  if (ends() || colored_ == tiles_.size()) return -1;
+  began() = nowSeconds();
+  return tiles_[colored_++];
 }
 
 void PeerExchange::sendQueries(int tile, TileRecord& traced, double now) {

@@ -17,7 +17,7 @@ using render::HiddenPixels;
 using render::Tile;
 
 constexpr Tile kTile{32, 0, 64, 20};  // not whole
-constexpr float kStep = 0x1p-22f;
+constexpr float kDepthStep = 0x1p-22f;
 
 using Depth = std::function<float(int x, int y)>;
 
@@ -44,7 +44,7 @@ HiddenPixels hiddenBy(const Depth& front, const Depth& own, const DrawnPart& ran
                       bool largestWins = false) {
   HiddenPixels hidden;
   addHidden(packDepths(imageOf(front), kTile, range, largestWins), range, imageOf(own), kTile, largestWins,
-            kStep, hidden);
+            kDepthStep, hidden);
   return hidden;
 }
 
@@ -91,8 +91,8 @@ TEST(TileDepths, NeverHideWhatIsInFront) {
     const auto noise = [&](int, int) { return any(random) < 0.2f ? Image::kMiss : any(random); };
     const Image front = imageOf(noise), own = imageOf(noise);
     HiddenPixels hidden;
-    addHidden(packDepths(front, kTile, range, false), range, own, kTile, false, kStep, hidden);
-    const float unsure = (range.farthest - range.nearest) / 65000 + 2 * kStep;
+    addHidden(packDepths(front, kTile, range, false), range, own, kTile, false, kDepthStep, hidden);
+    const float unsure = (range.farthest - range.nearest) / 65000 + 2 * kDepthStep;
     for (int y = kTile.y0; y < kTile.y1; ++y) {
       for (int x = kTile.x0; x < kTile.x1; ++x) {
         const auto at = static_cast<size_t>(y * own.width + x);
@@ -128,14 +128,14 @@ TEST(TileDepths, RefusesOtherBytes) {
     other.resize(random() % 3 ? other.size() : random() % other.size() + 1);
     HiddenPixels hidden;
     try {
-      addHidden(other, part(0, 1), own, kTile, false, kStep, hidden);
+      addHidden(other, part(0, 1), own, kTile, false, kDepthStep, hidden);
     } catch (const Malformed&) { ++refused; }
   }
   EXPECT_GT(refused, 50);
   packed.push_back(std::byte{});
   packed.insert(packed.end(), 40, std::byte{0});
   HiddenPixels hidden;
-  EXPECT_THROW(addHidden(packed, part(0, 1), own, kTile, false, kStep, hidden), Malformed);
+  EXPECT_THROW(addHidden(packed, part(0, 1), own, kTile, false, kDepthStep, hidden), Malformed);
 }
 
 }  // namespace

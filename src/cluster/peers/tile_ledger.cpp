@@ -1,5 +1,7 @@
 #include "cluster/peers/tile_ledger.h"
 
+#include <algorithm>
+
 namespace gluray::cluster {
 
 void TileLedger::reset(std::vector<int> shared, std::vector<int> alone, size_t peers) {
@@ -34,6 +36,10 @@ size_t TileLedger::depthsEnd(size_t peer) {
   size_t waited = 0;
   for (auto& [tile, open] : at_) waited += depthsCame(tile, peer);
   return waited;
+}
+
+bool TileLedger::awaitsDepths() const {
+  return std::ranges::any_of(at_, [](const auto& one) { return !one.second.awaited.empty(); });
 }
 
 void TileLedger::finish(int tile) {

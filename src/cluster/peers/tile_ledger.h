@@ -37,6 +37,8 @@ class TileLedger {
   /// Records a peer's answer. Returns true if it was the tile's last missing answer. Throws Malformed.
   bool answer(int tile, int peer, std::span<const std::byte> answers);
   bool isDone() const { return left_ == 0; }
+  /// Whether a tile waits for depths of peers.
+  bool awaitsDepths() const;
   /// Whether there are untraced tiles whose depths peers await.
   bool hasShared() const { return !shared_.empty(); }
 

@@ -3,12 +3,16 @@
 #include "base/clock.h"
 #include "render/tiles/tiles.h"
 
+#include <chrono>
 #include <exception>
+#include <thread>
 #include <utility>
 
 namespace gluray::cluster {
 namespace {
 
+constexpr double kObserved = 5, kObserveEvery = 0.25;  // seconds
+constexpr int kObserveMs = 10;
 constexpr int kLookMs = 20;  // how often a call looks whether it must stop
 
 /// Copies the image, or of a pass over some tiles those.
@@ -128,9 +132,54 @@ bool RemoteTracer::traceAll(const scene::Snapshot& snapshot, Image& image, scene
       return false;
     }
   } catch (const std::exception&) {}  // no memory: the other way may need less
+  reach_ = result == Result::nobody ? Reach::alone : Reach::connected;
   if (result == Result::done) return true;
   if (result == Result::stopped) return false;
   return here_(snapshot, image, cost, error, stop);
+}
+
+bool RemoteTracer::lockWithin(int timeoutMs) {
+  for (int waited = 0; !mutex_.try_lock(); ++waited) {
+    if (waited >= timeoutMs) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
+void RemoteTracer::askFigures(int timeoutMs) {
+  if (!link_.askFigures(timeoutMs)) return;
+  const std::lock_guard lock(figuresMutex_);
+  figures_ = link_.figures();
+}
+
+void RemoteTracer::observe() {
+  const double now = nowSeconds();
+  if (now > observedUntil_ || now < observed_ + kObserveEvery) return;
+  observed_ = now;
+  askFigures(kObserveMs);
+}
+
+std::vector<RankFigures> RemoteTracer::observedFigures() {
+  observedUntil_ = nowSeconds() + kObserved;
+  const std::lock_guard lock(figuresMutex_);
+  return figures_;
+}
+
+std::vector<RankFigures> RemoteTracer::figures(int timeoutMs) noexcept {
+  try {
+    if (lockWithin(timeoutMs)) {
+      const std::lock_guard lock(mutex_, std::adopt_lock);
+      askFigures(timeoutMs);
+      return link_.figures();
+    }
+  } catch (const std::exception&) {}  // no memory, or an answer that cannot be read
+  return {};
+}
+
+void RemoteTracer::sayEnd(int timeoutMs) noexcept {
+  if (!lockWithin(timeoutMs)) return;
+  const std::lock_guard lock(mutex_, std::adopt_lock);
+  link_.sayEnd(timeoutMs);
 }
 
 RemoteTracer::Result RemoteTracer::byWorkers(const scene::Snapshot& snapshot, Image& image,
@@ -144,7 +193,7 @@ RemoteTracer::Result RemoteTracer::byWorkers(const scene::Snapshot& snapshot, Im
       return tell(link_.why(), link_.isAway()), Result::nobody;
     }
     const Result result = receive(snapshot, image, cost, error, stop);
-    if (result == Result::done) traced_ = true;
+    if (result == Result::done) traced_ = true, observe();
     return result;
   } catch (const std::exception& why) {
     link_.disconnect(why.what(), nowSeconds());

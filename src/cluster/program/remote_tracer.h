@@ -31,6 +31,18 @@ class RemoteTracer {
   bool traceComplete(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                      std::string& error) noexcept;
   void leaveSceneryOut() noexcept;
+  /// What the program's ranks have spent, in their order: all ranks at rank 0, otherwise this one. As of the
+  /// last answer if the worker does not answer within that time; empty if images are traced for so long. Any
+  /// thread.
+  std::vector<RankFigures> figures(int timeoutMs) noexcept;
+  /// Asks for the figures after images for some seconds, on the threads that trace. Returns those of the last
+  /// answer to anybody. For threads that do not have the process's descriptors. Never waits for images.
+  std::vector<RankFigures> observedFigures();
+  /// Tells the worker that the program ends by itself. Waits so long at most.
+  void sayEnd(int timeoutMs) noexcept;
+  enum class Reach : uint8_t { untried, connected, alone };
+  /// Whether a worker has traced the last image. Any thread.
+  Reach reach() const noexcept { return reach_; }
   /// As frame::Improves, of the last image.
   bool improves() const noexcept { return improves_; }
   /// As frame::StandsAlone.
@@ -46,6 +58,11 @@ class RemoteTracer {
   void tell(const std::string& why, bool isAway = false);
   bool traceAll(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                 const std::function<bool()>& stop) noexcept;
+  /// Asks the worker if figures are observed. Requires `mutex_`.
+  void observe();
+  void askFigures(int timeoutMs);
+  /// Locks `mutex_` within that time. Returns false if it is locked for longer.
+  bool lockWithin(int timeoutMs);
   /// Whether trace() omits ground and background.
   bool leavesOut(const scene::Snapshot& snapshot) const;
 
@@ -57,10 +74,15 @@ class RemoteTracer {
   std::atomic<int> wanted_{0};  // priority calls that wait or trace
   std::atomic<bool> improves_{false};
   WorkerLink link_;
-  bool traced_ = false;      // the last image came from workers
-  std::string told_;         // why the one before did not
-  bool toldOfLoss_ = false;  // that a worker that traced was lost
-  std::string toldNote_;     // ImageDone::note
+  std::atomic<Reach> reach_{Reach::untried};
+  std::atomic<double> observedUntil_{0};
+  double observed_ = 0;  // when
+  std::mutex figuresMutex_;
+  std::vector<RankFigures> figures_;  // of the last answer
+  bool traced_ = false;               // the last image came from workers
+  std::string told_;                  // why the one before did not
+  bool toldOfLoss_ = false;           // that a worker that traced was lost
+  std::string toldNote_;              // ImageDone::note
   std::atomic<bool> toldOfScenery_{false};
 };
 

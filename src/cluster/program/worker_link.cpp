@@ -219,8 +219,29 @@ WorkerLink::Came WorkerLink::wait(int timeoutMs, double now) {
       if (done_.cost.elsewhere) elsewhere_ = asked_;
       return Came::image;
     }
+    case FiguresKnown::kType: {
+      figures_ = decoded<FiguresKnown>(message->body).ranks;
+      hasFigures_ = true;
+      return Came::sign;
+    }
     default: throw Malformed("its kind is not known");
   }
+}
+
+bool WorkerLink::askFigures(int timeoutMs) {
+  if (!welcome_) return false;
+  const double end = nowSeconds() + 1e-3 * timeoutMs;
+  hasFigures_ = false;
+  ++lastId_;  // images of earlier requests, which were cancelled, do not count
+  if (!line_->send(FiguresQuestion::kType, {}, -1, timeoutMs)) return false;
+  lastSign_ = nowSeconds();
+  for (double now = lastSign_; now < end && !hasFigures_; now = nowSeconds())
+    if (wait(1 + static_cast<int>(1e3 * (end - now)), now) == Came::failure) return false;
+  return hasFigures_;
+}
+
+void WorkerLink::sayEnd(int timeoutMs) noexcept {
+  if (welcome_) line_->send(ProgramEnds::kType, {}, -1, timeoutMs);
 }
 
 bool WorkerLink::show(const scene::Snapshot& snapshot, const Image& image, bool finished) {

@@ -1,6 +1,7 @@
 // A program's connection to the worker of its machine. One thread at a time.
 #pragma once
 #include "cluster/local/line.h"
+#include "cluster/messages/figure_messages.h"
 #include "cluster/messages/program_messages.h"
 #include "cluster/program/worker_place.h"
 #include "cluster/stream/snapshot_encoder.h"
@@ -56,6 +57,15 @@ class WorkerLink {
   /// The image's pixels, until the next ask().
   const std::byte* pixels() const { return memory_.get(); }
   void cancel();
+  /// Whether a worker traces for this program, as of the last request.
+  bool isConnected() const { return welcome_; }
+  /// Requests what the worker knows of the program's ranks. Call between images. Waits so long for its answer
+  /// at most. Returns false if there is none.
+  bool askFigures(int timeoutMs);
+  /// The last answer to askFigures(), in the order of ranks; rank 0's only has all.
+  const std::vector<RankFigures>& figures() const { return figures_; }
+  /// Tells the worker that the program ends by itself. Waits so long at most.
+  void sayEnd(int timeoutMs) noexcept;
   void disconnect(std::string why, double now);
   /// Disconnects from a worker that is gone or does not answer.
   void lose(std::string why, double now);
@@ -82,6 +92,8 @@ class WorkerLink {
   std::shared_ptr<const std::byte> memory_;
   size_t memoryBytes_ = 0;
   ImageDone done_;
+  std::vector<RankFigures> figures_;
+  bool hasFigures_ = false;  // since they were requested
   // Snapshot::number of the last request, the last gathered image, and the last one of another process.
   uint64_t asked_ = 0, gathered_ = 0, elsewhere_ = 0;
 };

@@ -196,6 +196,7 @@ void Head::finish(ConnectedProgram& program, double now) {
   if (program.request->gathers && program.share == Share::own)
     result.note = peers_.gatherer(program.peer).whyOwn();
   program.send(result);
+  if (program.peer) peers_.took(program.peer, result.cost.buildSeconds + result.cost.traceSeconds);
   if (result.gathered) peers_.gatherer(program.peer).end(true, now);
   endImage(program, now);
 }

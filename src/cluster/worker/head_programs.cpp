@@ -62,6 +62,13 @@ void Head::handle(ConnectedProgram& program, const Message& message, double now)
       return program.send(
           ImageDone{program.request->id, false, false, false, "", "", {1, 1, 1, Image::kColorDepth}, {}, {}});
     case ImageShown::kType: return takeShown(program, as(ImageShown{}), message.attached);
+    case FiguresQuestion::kType:
+      as(FiguresQuestion{});
+      return program.send(program.peer ? peers_.figuresFor(program.peer) : FiguresKnown{});
+    case ProgramEnds::kType:
+      as(ProgramEnds{});
+      if (program.peer) peers_.ends(program.peer);
+      return;
     case JobQuestion::kType: as(JobQuestion{}); return inquiry_.ask(program, now);
     default: throw Malformed("its kind is not known");
   }

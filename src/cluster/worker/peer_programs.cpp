@@ -1,5 +1,7 @@
 #include "cluster/worker/peer_programs.h"
 
+#include "cluster/worker/facts/rank_facts.h"
+
 #include <utility>
 
 namespace gluray::cluster {
@@ -21,9 +23,12 @@ uint64_t PeerPrograms::add(const Hash128& program, int rank, int ranks) {
     throw Malformed("it is no rank of a program");
   Local& local = locals_[++last_];
   local.program = program, local.rank = rank, local.ranks = ranks;
-  const auto send = [this, program](int peer, std::vector<std::byte> message) {
-    if (const std::optional<int> worker = directory_.workerOf(program, peer))
-      outbox_.push(*worker, std::move(message));
+  local.figures.rank = rank, local.figures.host = hostName();
+  const auto send = [this, program, &local](int peer, std::vector<std::byte> message) {
+    const std::optional<int> worker = directory_.workerOf(program, peer);
+    if (!worker) return;
+    local.bytesSent.fetch_add(message.size(), std::memory_order_relaxed);
+    outbox_.push(*worker, std::move(message));
   };
   local.exchange = std::make_unique<PeerExchange>(program, rank, ranks, send, say_);
   local.gatherer = std::make_unique<PartGatherer>(program, rank, ranks, send, say_);
@@ -84,6 +89,7 @@ void PeerPrograms::joins(int from, const PeerAddress& address) {
   for (auto& [number, local] : locals_) {
     if (local.program != address.program || local.rank == address.from) continue;
     if (address.from >= local.ranks) throw Malformed("the program has no such rank");
+    setState(local, address.from, RankFigures::State::connected);
     local.exchange->joins(address.from);
     local.gatherer->joins(address.from);
     // It may have come after this one had told all.
@@ -97,18 +103,23 @@ void PeerPrograms::leaves(int from, const PeerAddress& address, double now) {
   directory_.remove(address.program, address.from);
   for (auto& [number, local] : locals_)
     if (local.program == address.program && local.rank != address.from && address.from < local.ranks)
-      local.exchange->leaves(address.from), local.gatherer->leaves(address.from, now);
+      local.exchange->leaves(address.from), local.gatherer->leaves(address.from, now),
+          setState(local, address.from, RankFigures::State::lost);
 }
 
 bool PeerPrograms::receive(int from, uint16_t type, std::span<const std::byte> body, double now) {
   const auto to = [&]<class M>(auto Local::*receiver, M message) {
     message = decoded<M>(body);
-    if (Local* const local = find(message.address)) (local->*receiver)->receive(std::move(message), now);
+    Local* const local = find(message.address);
+    if (!local) return true;
+    local->figures.bytesReceived += body.size();
+    (local->*receiver)->receive(std::move(message), now);
     return true;
   };
   switch (type) {
     case PeerJoins::kType: return joins(from, decoded<PeerJoins>(body).address), true;
     case PeerLeaves::kType: return leaves(from, decoded<PeerLeaves>(body).address, now), true;
+    case FiguresGiven::kType: return takeFigures(decoded<FiguresGiven>(body)), true;
     case SceneComes::kType: return to(&Local::exchange, SceneComes{});
     case SceneHeld::kType: return to(&Local::exchange, SceneHeld{});
     case OcclusionQueries::kType: return to(&Local::exchange, OcclusionQueries{});

@@ -3,6 +3,7 @@
 #pragma once
 #include "cluster/arrays/array_store.h"
 #include "cluster/gather/part_gatherer.h"
+#include "cluster/messages/figure_messages.h"
 #include "cluster/messages/peer_messages.h"
 #include "cluster/messages/program_messages.h"
 #include "cluster/messages/rank_messages.h"
@@ -12,6 +13,7 @@
 #include "cluster/ranks/ranks.h"
 #include "cluster/worker/tracing_thread.h"
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -35,6 +37,12 @@ class PeerPrograms {
   void trace(uint64_t number, TraceOrder order, const ViewName& shown);
   /// Ends tracing of the image.
   void end(uint64_t number, uint64_t image);
+  /// The image of that rank, requested so many seconds ago, is with its program.
+  void took(uint64_t number, double seconds);
+  /// The program of that rank ends by itself.
+  void ends(uint64_t number);
+  /// What FiguresKnown says to the program of that rank.
+  FiguresKnown figuresFor(uint64_t number);
   /// The gatherer of that rank.
   PartGatherer& gatherer(uint64_t number) { return *locals_.at(number).gatherer; }
   /// Handles a message of rank `from` of the job. Returns false if it is for another receiver. Throws
@@ -52,7 +60,15 @@ class PeerPrograms {
     std::unique_ptr<TracingThread> thread;
     uint64_t image = 0;  // that is traced; 0: none
     std::shared_ptr<TileQueue> tiles;
+    RankFigures figures;
+    std::atomic<uint64_t> bytesSent{0};
+    std::map<int, RankFigures> known;  // figures of the program's ranks, at its rank 0
   };
+  void measure(Local& local);
+  void giveFigures(Local& local);
+  void takeFigures(const FiguresGiven& given);
+  static void take(Local& local, const RankFigures& figures);
+  static void setState(Local& local, int rank, RankFigures::State state);
   Local* find(const PeerAddress& address);
   void joins(int from, const PeerAddress& address);
   void leaves(int from, const PeerAddress& address, double now);

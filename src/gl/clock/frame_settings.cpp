@@ -1,8 +1,7 @@
 #include "gl/clock/frame_settings.h"
 
+#include "base/processes/usable_cores.h"
 #include "settings/values.h"
-
-#include <tbb/info.h>
 
 #include <utility>
 
@@ -15,7 +14,7 @@ Engine engineOf(const ContextInfo& info, const Settings& settings, bool asked) {
 
 int threadsOf(const Settings& settings) {
   if (settings.threads > 0) return settings.threads;
-  return settings.engine == Engine::automatic ? tbb::info::default_concurrency() : 1;
+  return settings.engine == Engine::automatic ? chosenThreadsHere() : 1;
 }
 
 bool FrameSettings::takeCurrent() {

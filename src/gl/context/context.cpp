@@ -1,11 +1,11 @@
 #include "gl/context/context.h"
 
 #include "base/processes/process_exit.h"
+#include "base/processes/usable_cores.h"
 #include "parallel/arena.h"
 
 #include <atomic>
 #include <exception>
-#include <thread>
 
 namespace gluray::gl {
 
@@ -31,8 +31,7 @@ namespace {
 
 /// Large runs are welded on a second thread if the setting `threads` allows more than one.
 VertexStream::Welding weldingOf(const Settings& settings) {
-  const unsigned threads =
-      settings.threads > 0 ? static_cast<unsigned>(settings.threads) : std::thread::hardware_concurrency();
+  const int threads = settings.threads > 0 ? settings.threads : chosenThreadsHere();
   return threads > 1 ? VertexStream::Welding::behind : VertexStream::Welding::here;
 }
 

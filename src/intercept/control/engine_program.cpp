@@ -7,6 +7,7 @@
 #include "intercept/contexts/contexts.h"
 #include "intercept/control/link.h"
 #include "intercept/reports/light_report.h"
+#include "intercept/reports/report_of_ranks.h"
 #include "intercept/session/session.h"
 #include "intercept/windows/window_images.h"
 
@@ -72,6 +73,7 @@ json EngineProgram::state() {
   passes_ = passes, idlePasses_ = idlePasses;
   return {{"reasons", reasonsOf(s)},
           {"memory", residentMemory()},
+          {"ranks", observedRanks()},
           {"building", s.blasRefining != 0},
           {"noise", noise > 0 ? json(noise) : json()},
           {"passes", std::move(done)},

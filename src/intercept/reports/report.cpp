@@ -12,6 +12,8 @@
 #include "intercept/contexts/frame_count.h"
 #include "intercept/reports/explanation.h"
 #include "intercept/reports/light_report.h"
+#include "intercept/reports/report_file.h"
+#include "intercept/reports/report_of_ranks.h"
 #include "intercept/session/guarded.h"
 #include "intercept/session/session.h"
 #include "intercept/window_systems/bypassed_doors.h"
@@ -105,21 +107,6 @@ json makeReport(const Totals& totals) {
   };
 }
 
-/// The report's file name, chosen at the first report.
-const std::string& reportPath() {
-  // Never destroyed: the exit handler that writes the last report was registered before this string was
-  // constructed.
-  static const std::string& path = *new std::string(fileOfThisProcess(session().reportFile));
-  return path;
-}
-
-void writeText(const json& report) {
-  // Names of programs and drivers may be invalid UTF-8.
-  const std::string text = report.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-  if (const std::string why = files::replace(reportPath(), text); !why.empty())
-    log::once(log::Level::error, "report", "cannot write the report " + reportPath() + ": " + why);
-}
-
 constexpr double kInterval = 0.1;  // seconds; a report costs about a tenth of a millisecond
 constexpr double kQuiet = 1;       // seconds without a frame after which draws alone cause a report
 constexpr int kAtOnce = 32;        // first frames that are written at once: a signal may end short programs
@@ -156,11 +143,12 @@ struct Reporter {
 
   /// Writes `sum` to the file. Requires the mutex.
   void write(const Totals& sum) {
-    if (sum.contexts != 0 || launchedProcess()) {
+    if ((sum.contexts != 0 || launchedProcess()) && !isReportedByRankZero()) {
       json report = makeReport(sum);
       report["walkedPast"] = walkedPast;
+      if (const json ranks = reportOfRanks(ended); !ranks.is_null()) report.update(ranks);
       if (session().explainFrames) report["explain"] = explanation(sum, complete, reportPath());
-      writeText(report);
+      writeReportText(report);
     }
     waiting = false;
     written = progress(sum);
@@ -263,6 +251,7 @@ void writeReport() noexcept {
         if (r.complete) return;
         r.walkedPast = past;
         r.write(totals());
+        sayEndToRankZero();
       },
       /*atExit=*/true);
 }

@@ -3,8 +3,10 @@
 #include "base/clock.h"
 #include "base/files.h"
 #include "base/log.h"
+#include "base/log_filter.h"
 #include "base/timeline.h"
 #include "control/link/job.h"
+#include "control/link/said_once.h"
 #include "settings/live/live_settings.h"
 
 #include <unistd.h>
@@ -37,6 +39,7 @@ const Session* readSession() {
   const auto* session = new Session(live->start(sourcesOfProcess()));
   log::configure(mayTalk(*session) ? static_cast<log::Level>(session->logLevel) : log::Level::off,
                  session->logFile);
+  log::filterBy(control::saysLineHere);
   for (const std::string& line : complaints) log::write(log::Level::warning, line);
   complaints.clear();
   logs = true;
