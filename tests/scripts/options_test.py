@@ -28,6 +28,7 @@ REFUSED = [("scripts/build release --no-such-option", "--no-such-option"), ("scr
            ("scripts/fuzz --mesa --no-such-option", "--no-such-option"), ("scripts/fuzz --calls many", "many"),
            ("scripts/fuzz --scenes 10 --calls 10", "--calls"), ("scripts/fuzz --control many", "many"), ("scripts/fuzz --seed", "--seed"),
            ("scripts/package one two", "two"), ("scripts/package tree one two", "two"), ("scripts/release --quick", "--quick"), ("scripts/release one two", "two"), ("scripts/progress name log", "too few"), ("scripts/setup --all --no-such-option", "--no-such-option"),
+           ("scripts/package source-deb one two", "two"), ("scripts/setup --all --build-depends", "--build-depends"),
            ("scripts/test --all --no-such-option", "--no-such-option"), ("scripts/test --quick", "--quick"), ("scripts/test --root --no-such-option", "--no-such-option"),
            ("scripts/root bookworm --no-such-option", "--no-such-option"), ("scripts/bench guesses", "guesses"),
            ("scripts/bench compare --no-such-option one two", "--no-such-option"), (".ci/run --all", "--all")]

@@ -32,7 +32,7 @@ for word; do case $word in install) on=1 ;; -*) ;; *) [ -z "${on:-}" ] || echo "
 def entries():
     """The packages that scripts/setup installs."""
     arrays = re.findall(r"packages\+?=\(\n(.*?)\n *\)", SETUP.read_text(), re.S)
-    return [word for text in arrays[:2] for word in text.split()]
+    return [word for text in arrays[:3] for word in text.split()]
 
 
 class Setup(unittest.TestCase):
@@ -55,10 +55,10 @@ class Setup(unittest.TestCase):
         file = self.root / name
         return file.read_text().splitlines() if file.exists() else []
 
-    def run_setup(self):
+    def run_setup(self, *options):
         environment = {**os.environ, "PATH": f"{self.root}:{os.environ['PATH']}", "ROOT": str(self.root), "HOME": str(self.root),
                        "XDG_CACHE_HOME": str(self.root / "cache")}
-        return subprocess.run([str(SETUP)], env=environment, capture_output=True, text=True, timeout=60)
+        return subprocess.run([str(SETUP), *options], env=environment, capture_output=True, text=True, timeout=60)
 
     def test_installs_everything_once(self):
         done = self.run_setup()
@@ -92,6 +92,15 @@ class Setup(unittest.TestCase):
         done = self.run_setup()
         self.assertEqual(done.returncode, 1)
         self.assertIn("libembree-dev does not exist", done.stderr)
+
+    def test_prints_what_packages_are_built_with(self):
+        done = self.run_setup("--build-depends")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        names = [line.split(" | ")[0] for line in done.stdout.splitlines()]
+        self.assertLess(set(names), set(self.plain))
+        self.assertIn("libembree-dev", names)
+        self.assertFalse({"ccache", "git", "clang", "libgtest-dev", "build-essential", "xvfb"} & set(names))
+        self.assertEqual(self.lines("apt.log"), [])
 
 
 if __name__ == "__main__":
