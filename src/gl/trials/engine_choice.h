@@ -2,7 +2,7 @@
 // (adr/0012). Decides between frames, keeps a decision for many frames, and rarely tries the alternative. A
 // trial that is probably slower must fit into a time budget (TrialBudget, adr/0083), and all trials together
 // into a share of the time drawn (TrialLimit, adr/0122). Begins with what earlier trials found (Precedents,
-// adr/0128). Calls no OpenGL. A part of FrameClock, GL thread.
+// adr/0125). Calls no OpenGL. A part of FrameClock, GL thread.
 #pragma once
 #include "base/clock.h"
 #include "base/growing_interval.h"

@@ -1,4 +1,4 @@
-// What earlier trials found: seconds of frames in both ways, by load (adr/0128). Shared by the contexts of a
+// What earlier trials found: seconds of frames in both ways, by load (adr/0125). Shared by the contexts of a
 // process that draw with one renderer and one number of threads; intercept/ keeps it between runs. Calls no
 // OpenGL and reads no clock. Any thread.
 #pragma once

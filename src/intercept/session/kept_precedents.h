@@ -1,5 +1,5 @@
 // The results of trials (gl/trials/precedents.h) of this process, kept between runs of the program in
-// gluray/trials/PROGRAM.json in $XDG_CACHE_HOME or ~/.cache (adr/0128, setting remember-engine). A file that
+// gluray/trials/PROGRAM.json in $XDG_CACHE_HOME or ~/.cache (adr/0125, setting remember-engine). A file that
 // cannot be read or written costs only trials: that is logged at level debug. Any thread.
 #pragma once
 #include "gl/trials/precedents.h"
