@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kFromCorner = 8;  // pixels
 constexpr double kEvery = 0.5;  // seconds between updates of the text
-constexpr double kPause = 1;    // seconds without a frame after which counting restarts
+constexpr double kLongestGap = 1;    // seconds without a frame after which counting restarts
 
 /// The value with three significant digits: "875 K".
 std::string rounded(double value) {
@@ -84,7 +84,7 @@ std::vector<std::string> hudLines(const HudFigures& f) {
 }
 
 GLenum Hud::draw(const gl::Statistics& now, double seconds) {
-  if (!since_ || seconds - lastSeconds_ > kPause) {
+  if (!since_ || seconds - lastSeconds_ > kLongestGap) {
     since_ = now, sinceSeconds_ = seconds;
   } else if (seconds - sinceSeconds_ >= kEvery) {
     lines_ = hudLines(between(*since_, now, seconds - sinceSeconds_));
