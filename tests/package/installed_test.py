@@ -6,6 +6,7 @@ After each removal the system is as it was before the installation: files, alter
 that is broken. Needs root, debootstrap and a mirror; takes packages from there.
 """
 import argparse
+import os
 import pathlib
 import re
 import shutil
@@ -167,6 +168,7 @@ def upgrades(packages: Packages, before: dict[str, str]) -> None:
 
 def check(packages_folder: pathlib.Path, root: CleanRoot) -> None:
     """In a root whose package lists are there."""
+    os.environ.update(MESA_SHADER_CACHE_DISABLE="true", XDG_CACHE_HOME="/tmp")  # Mesa's shaders in the home folder are none of ours
     packages = Packages(packages_folder, root)
     packages.apt("install", *HELPERS)
     packages.install_what_they_need()
