@@ -10,9 +10,9 @@
 namespace gluray::intercept {
 namespace {
 
-constexpr int kFromCorner = 8;  // pixels
-constexpr double kEvery = 0.5;  // seconds between updates of the text
-constexpr double kLongestGap = 1;    // seconds without a frame after which counting restarts
+constexpr int kFromCorner = 8;     // pixels
+constexpr double kEvery = 0.5;     // seconds between updates of the text
+constexpr double kLongestGap = 1;  // seconds without a frame after which counting restarts
 
 /// The value with three significant digits: "875 K".
 std::string rounded(double value) {
