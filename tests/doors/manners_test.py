@@ -43,7 +43,7 @@ class Launcher(Folder):
 
     def listed(self, *words, **environment) -> dict:
         done = run("sh", "-c", 'cd "$0" && exec "$@"', self.folder, GLURAY, "settings", "--json", *words,
-                   **{"XDG_CONFIG_HOME": self.folder / "home", "GLURAY_ENGINE": None} | environment)
+                   **{"XDG_CONFIG_HOME": self.folder / "home", "GLURAY_ENGINE": None, "GLURAY_REMEMBER_ENGINE": None} | environment)
         self.assertEqual(done.returncode, 0, done.stderr)
         return {s["name"]: (s["value"], s["layer"]) for s in json.loads(done.stdout)}
 
