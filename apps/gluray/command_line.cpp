@@ -162,9 +162,9 @@ void describe(CLI::App& app, CommandLine& line) {
       break;
     case Command::uninstall:
       app.description(
-          "Lists the files of GLuRay outside its own folder: settings, and sockets of running programs. "
-          "Prints\n"
-          "how to remove GLuRay itself.");
+          "Lists the files of GLuRay outside its own folder: settings, results of engine = auto, and sockets "
+          "of\n"
+          "running programs. Prints how to remove GLuRay itself.");
       app.name("gluray uninstall");
       usage("options");
       app.add_flag("--remove", line.remove, "Remove what is listed");

@@ -1,23 +1,10 @@
 // PeerPrograms: what the ranks of a program spend, collected by the worker of its rank 0.
+#include "base/processes/resident_memory.h"
 #include "cluster/worker/peer_programs.h"
 
-#include <unistd.h>
-
-#include <fstream>
 #include <utility>
 
 namespace gluray::cluster {
-namespace {
-
-/// Resident bytes of this process; 0: unknown.
-uint64_t residentBytes() {
-  std::ifstream file("/proc/self/statm");
-  uint64_t all = 0, resident = 0;
-  if (!(file >> all >> resident)) return 0;
-  return resident * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
-}
-
-}  // namespace
 
 void PeerPrograms::measure(Local& local) {
   const PeerTimes& times = local.exchange->times();

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/log.h"
+#include "base/processes/resident_memory.h"
 #include "control/process_start.h"
 #include "frame/idle/idle_refiner.h"
 #include "intercept/contexts/contexts.h"
@@ -15,7 +16,6 @@
 #include <unistd.h>
 
 #include <exception>
-#include <fstream>
 #include <string>
 
 namespace gluray::intercept {
@@ -25,10 +25,8 @@ using nlohmann::json;
 
 /// Bytes of resident memory; null: unknown.
 json residentMemory() {
-  std::ifstream file("/proc/self/statm");
-  uint64_t all = 0, resident = 0;
-  if (!(file >> all >> resident)) return {};
-  return resident * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
+  const uint64_t bytes = residentBytes();
+  return bytes ? json(bytes) : json();
 }
 
 json reasonsOf(const gl::Statistics& statistics) {
